@@ -1,0 +1,44 @@
+# Fails when a file of FOLDER includes a floor that is not in ALLOWED (targets, as io_scene for io/scene),
+# or a library from outside that belongs to another floor.
+string(REPLACE "," ";" allowed "${ALLOWED}")
+set(folders "")
+foreach(target IN LISTS allowed)
+    if(target MATCHES "^io_(.+)$")
+        list(APPEND folders "io/${CMAKE_MATCH_1}")
+    elseif(target)
+        list(APPEND folders "${target}")
+    endif()
+endforeach()
+
+# Header (as a regular expression) -> the folders that may include it.
+set(owned
+    "tiny_gltf|OpenImageIO/|simdjson|nlohmann/=io/files"
+    "epoxy/gl=renderer"
+    "epoxy/egl|GLFW/|CLI/|imgui_impl_|AL/=app"
+    "embree[34]/=editor"
+    "imgui=editor,app")
+
+set(faults "")
+file(GLOB_RECURSE sources ${ROOT}/${FOLDER}/*.h ${ROOT}/${FOLDER}/*.cpp)
+foreach(source IN LISTS sources)
+    file(STRINGS ${source} lines REGEX "^#include ")
+    foreach(line IN LISTS lines)
+        if(line MATCHES "\"((io/[a-z]+|renderer|editor|app)/[^\"]*)\"")
+            if(NOT CMAKE_MATCH_2 IN_LIST folders)
+                string(APPEND faults "\n${source}: includes ${CMAKE_MATCH_1}")
+            endif()
+        else()
+            foreach(rule IN LISTS owned)
+                string(REGEX MATCH "^(.*)=(.*)$" unused "${rule}")
+                set(pattern "${CMAKE_MATCH_1}")
+                string(REPLACE "," ";" owners "${CMAKE_MATCH_2}")
+                if(line MATCHES "<(${pattern})" AND NOT FOLDER IN_LIST owners)
+                    string(APPEND faults "\n${source}: ${line} belongs to ${owners}")
+                endif()
+            endforeach()
+        endif()
+    endforeach()
+endforeach()
+if(faults)
+    message(FATAL_ERROR "arrows that run up a floor:${faults}")
+endif()

@@ -1,0 +1,58 @@
+// A project: a folder with project.json, its scenes, environments, templates and the files they name.
+#pragma once
+
+#include "io/base/complaint.h"
+#include "io/base/progress.h"
+#include "io/base/result.h"
+#include "io/files/atomic_file.h"
+#include "io/scene/assets.h"
+#include "io/scene/scene.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace io {
+
+struct SceneEntry {
+    std::string name;
+    std::string file;        // scenes/NAME.scene.json
+    bool operator==(const SceneEntry&) const = default;
+};
+
+struct Project {
+    std::filesystem::path folder;
+    std::string name;
+    std::vector<SceneEntry> scenes;
+    std::string start;                  // name of a scene
+    std::vector<std::string> templates; // templates/NAME.json
+    Extra extra;
+};
+
+// One scene of a project, without its heavy files.
+struct World {
+    Project project;
+    SceneEntry entry;            // the scene that is open
+    std::string environmentFile; // environments/NAME.json, named by the scene
+    Scene scene;                 // objects, templates, environment, terrain; cameras and paths from project.json
+};
+
+// `project` is the folder or its project.json; an empty scene name is the start scene. Finishes or drops a save that was
+// cut off. An error is a world that cannot be opened; complaints are what was mended or left out.
+Result<World> openWorld(const std::filesystem::path& project, std::string_view scene, Complaints& complaints);
+
+// The whole world as one transaction; what did not change is not written.
+Result<FileTransaction::Report> saveWorld(const World& world);
+
+// Models, height map and layer images that the scene names. What cannot be read is complained about and replaced
+// by a stand-in, so that the rest can be worked on. An error only when cancelled.
+Result<Assets> readAssets(const World& world, Complaints& complaints, const Progress& progress = {});
+std::shared_ptr<const Model> readTemplateModel(const World& world, TemplateId id, Complaints& complaints);
+
+// `wold new`: from a starter that ships ("empty", "valley"). The folder must be missing or empty.
+Status newProject(const std::filesystem::path& folder, std::string_view starter);
+
+// `wold check`: reads all that the project names.
+Complaints checkProject(const std::filesystem::path& project);
+
+} // namespace io

@@ -1,0 +1,33 @@
+// What a command changed: all that a mirror of the scene (GPU, Embree, panels) needs to follow it.
+#pragma once
+
+#include "io/scene/ids.h"
+
+#include <vector>
+
+namespace io {
+
+struct Changes {
+    std::vector<ObjectId> objects;     // added, moved, edited or removed: look in the scene for what is true now
+    std::vector<TemplateId> templates; // edited, or a model that came, went or was read again
+    bool environment = false;
+    bool cameras = false;
+    bool terrain = false;
+    bool everything = false; // another scene: rebuild
+
+    bool none() const
+    {
+        return objects.empty() && templates.empty() && !environment && !cameras && !terrain && !everything;
+    }
+    void add(const Changes& other)
+    {
+        objects.insert(objects.end(), other.objects.begin(), other.objects.end());
+        templates.insert(templates.end(), other.templates.begin(), other.templates.end());
+        environment |= other.environment;
+        cameras |= other.cameras;
+        terrain |= other.terrain;
+        everything |= other.everything;
+    }
+};
+
+} // namespace io

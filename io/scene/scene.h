@@ -1,0 +1,79 @@
+// Scene: a world as plain data. It changes only through exchange(), which gives back what it replaced: the
+// inverse of a change is the same call with the answer.
+#pragma once
+
+#include "io/scene/camera.h"
+#include "io/scene/changes.h"
+#include "io/scene/environment.h"
+#include "io/scene/ids.h"
+#include "io/scene/object.h"
+#include "io/scene/template.h"
+#include "io/scene/terrain.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace io {
+
+class Scene {
+public:
+    // Objects lie densely, in no order that means anything. References hold until the next exchange.
+    std::span<const Object> objects() const { return m_objects; }
+    const Object* find(ObjectId id) const;
+    const Object& at(ObjectId id) const; // the id is in the scene
+    std::vector<ObjectId> sortedIds() const;
+
+    // Slot i belongs to TemplateId{i + 1}. A slot without a value stands for a template that was deleted or whose
+    // file is missing; objects keep pointing to it and its name stays known.
+    struct TemplateSlot {
+        std::string name;
+        std::optional<Template> value;
+    };
+    std::span<const TemplateSlot> templates() const { return m_templates; }
+    TemplateId findTemplate(std::string_view name) const; // None when there is no such slot
+    const Template* find(TemplateId id) const;
+    std::string_view templateName(TemplateId id) const; // empty for None
+
+    const Environment& environment() const { return m_environment; }
+    const Terrain& terrain() const { return m_terrain; }
+    std::span<const Camera> cameras() const { return m_cameras; }
+    std::span<const CameraPath> paths() const { return m_paths; }
+    const Camera* findCamera(std::string_view name) const;
+    const CameraPath* findPath(std::string_view name) const;
+
+    // Ids and slots that no one has used. They are taken by being handed out.
+    ObjectId freshId();
+    TemplateId templateSlot(std::string_view name); // the slot of that name, made when there is none
+
+    // The only mutators. Each sets what is given (an empty value removes) and answers what was there.
+    std::optional<Object> exchange(ObjectId id, std::optional<Object> object);
+    std::optional<Template> exchange(TemplateId id, std::optional<Template> value);
+    Environment exchange(Environment environment);
+    Terrain exchange(Terrain terrain);
+    std::vector<Camera> exchange(std::vector<Camera> cameras);
+    std::vector<CameraPath> exchange(std::vector<CameraPath> paths);
+
+    void reserve(std::size_t objects);
+
+    // Keys of the scene's own file that this version does not know.
+    Extra extra;
+
+private:
+    std::vector<Object> m_objects;
+    std::unordered_map<std::uint32_t, std::uint32_t> m_indexOf; // id -> place in m_objects
+    std::uint32_t m_lastId = 0;
+    std::vector<TemplateSlot> m_templates;
+    Environment m_environment;
+    Terrain m_terrain;
+    std::vector<Camera> m_cameras;
+    std::vector<CameraPath> m_paths;
+};
+
+// The same world, whatever order its objects lie in.
+bool sameContent(const Scene& a, const Scene& b);
+
+} // namespace io

@@ -1,0 +1,33 @@
+// A thing that can be placed: its model, how copies of it vary, and how the world meets it.
+#pragma once
+
+#include "io/scene/extra.h"
+
+#include <glm/glm.hpp>
+#include <string>
+
+namespace io {
+
+enum class Collision { None, Box, Mesh, Capsule };
+enum class DrawPath { Batched, Direct }; // shared buffers, or buffers of its own that can be unloaded alone
+
+struct Template {
+    std::string name;     // unique in its project; the stem of its file, templates/NAME.json
+    std::string category; // the heading it stands under in the Templates panel, as "Trees"
+    std::string model;    // models/….glb inside the project; empty: a marker, drawn as a box of `markerSize`
+    glm::vec3 markerSize{1};       // m
+    glm::vec2 yaw{0, 360};         // degrees, range from which a placed copy draws its turn
+    glm::vec2 scale{1};            // factors, range from which a placed copy draws its size
+    float tilt = 0;                // degrees, the most a copy leans at random
+    bool alignToGround = false;    // its up axis follows the surface under it
+    float sink = 0;                // m below the surface, so that roots and rocks sit in the ground
+    Collision collision = Collision::Mesh;
+    float footprint = 0;           // m, radius around it that grass keeps out of
+    bool castShadow = true;
+    DrawPath drawPath = DrawPath::Batched;
+    Extra extra;
+
+    bool operator==(const Template&) const = default;
+};
+
+} // namespace io

@@ -1,0 +1,52 @@
+// How the renderer draws: switches and choices that belong to a person and a machine, never to a world.
+// Keys are those of --set render.KEY.
+#pragma once
+
+#include "io/scene/fields.h"
+
+#include <array>
+#include <string_view>
+
+namespace renderer {
+
+enum class AntiAliasing { Off, Fxaa };
+enum class ToneMap { Agx, Neutral, Aces, Reinhard };
+enum class Shading { Pbr, BlinnPhong };
+
+struct Settings {
+    bool culling = true; // frustum and size on screen, for the camera and for each cascade
+    bool shadows = true;
+    bool clouds = true;
+    bool fog = true;
+    AntiAliasing antiAliasing = AntiAliasing::Fxaa;
+    ToneMap toneMap = ToneMap::Agx;
+    Shading shading = Shading::Pbr;
+    bool operator==(const Settings&) const = default;
+};
+
+constexpr auto enumNames(AntiAliasing) { return std::array<std::string_view, 2>{"off", "fxaa"}; }
+constexpr auto enumNames(ToneMap) { return std::array<std::string_view, 4>{"agx", "neutral", "aces", "reinhard"}; }
+constexpr auto enumNames(Shading) { return std::array<std::string_view, 2>{"pbr", "blinn-phong"}; }
+
+void fields(auto& v, io::Of<Settings> auto& s)
+{
+    v("culling", s.culling, io::Hint{});
+    v("shadows", s.shadows, io::Hint{});
+    v("clouds", s.clouds, io::Hint{});
+    v("fog", s.fog, io::Hint{});
+    v("aa", s.antiAliasing, io::Hint{});
+    v("tonemap", s.toneMap, io::Hint{});
+    v("shading", s.shading, io::Hint{});
+}
+
+// What of the frame is shown in place of the finished picture.
+enum class Show {
+    Final, Albedo, Normal, Roughness, Depth, Position, Id, Ao, Shadow, Cascade, Luminance, Wireframe, Lod, Overdraw
+};
+constexpr auto enumNames(Show)
+{
+    return std::array<std::string_view, 14>{"final",  "albedo", "normal",  "roughness", "depth",     "position", "id",
+                                            "ao",     "shadow", "cascade", "luminance", "wireframe", "lod",      "overdraw"};
+}
+
+} // namespace renderer
