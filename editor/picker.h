@@ -1,0 +1,87 @@
+// Picker: what is under a ray. Objects by their triangles (Embree), leaves by their alpha, the ground by the same
+// triangles that are drawn. A mirror of the scene: it follows its changes.
+#pragma once
+
+#include "editor/view.h"
+#include "io/scene/assets.h"
+#include "io/scene/changes.h"
+#include "io/scene/scene.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace editor {
+
+enum class Surface { None, Object, Terrain };
+
+struct PickHit {
+    Surface surface = Surface::None;
+    io::ObjectId id = io::ObjectId::None;
+    io::TemplateId templateId = io::TemplateId::None;
+    glm::dvec3 position{0};     // m, world
+    glm::dvec3 normal{0, 1, 0}; // of the triangle, unit, towards the ray's origin
+    double distance = 0;        // m
+
+    explicit operator bool() const { return surface != Surface::None; }
+};
+
+struct PickOptions {
+    std::span<const io::ObjectId> skip; // rays pass through these
+    bool objects = true;
+    bool terrain = true;
+    double maxDistance = 1e7; // m
+};
+
+// Pixels from the top left; the corners in any order.
+struct PixelRect {
+    glm::dvec2 from{0}, to{0};
+};
+
+class Picker {
+public:
+    Picker();
+    ~Picker();
+    Picker(const Picker&) = delete;
+    Picker& operator=(const Picker&) = delete;
+
+    // Costs what `changes` names; the spatial index over all objects is made new at the next ray.
+    void update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes);
+
+    void setBoxesOnly(bool boxesOnly); // every object by the box around it
+    bool boxesOnly() const;
+
+    PickHit pick(const io::Ray& ray, const PickOptions& options = {}) const;
+    PickHit pick(const View& view, glm::dvec2 pixel, const PickOptions& options = {}) const;
+    // The nearest hit of each object, and of the ground, near to far.
+    std::vector<PickHit> pickAll(const io::Ray& ray, std::size_t max = 32, const PickOptions& options = {}) const;
+
+    // Objects whose middle is seen inside the rectangle, sorted by id. With `seen` (ids that the rectangle shows,
+    // as Renderer::readIds) it is exactly those of them that exist, so nothing that is hidden.
+    std::vector<io::ObjectId> pickBox(const View& view, const PixelRect& rect,
+                                      std::optional<std::span<const std::uint32_t>> seen = std::nullopt) const;
+
+    io::WorldBox bounds(io::ObjectId id) const; // empty for groups and unknown ids
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+// Which of the things under the cursor a click means: the nearest first, and at each further click at the same
+// place the next one behind it.
+class ClickCycle {
+public:
+    static constexpr double kSamePlace = 4; // pixels
+
+    PickHit next(std::span<const PickHit> hits, glm::dvec2 pixel);
+    void reset() { m_ids.clear(); }
+
+private:
+    std::vector<io::ObjectId> m_ids;
+    glm::dvec2 m_pixel{0};
+    std::size_t m_index = 0;
+};
+
+} // namespace editor

@@ -1,0 +1,34 @@
+// TerrainRay: where a ray meets the ground: exactly the triangles of io::HeightMap, found through a pyramid of
+// lowest and highest values (Tevs, Ihrke, Seidel 2008).
+#pragma once
+
+#include "io/scene/terrain.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace editor {
+
+class TerrainRay {
+public:
+    TerrainRay() = default;
+    explicit TerrainRay(std::shared_ptr<const io::HeightMap> heights);
+
+    // The nearest hit on the upper side within `maxDistance`.
+    std::optional<io::TerrainHit> hit(const io::Ray& ray, double maxDistance = 1e9) const;
+
+private:
+    struct Level { // one node a square of 4^level * 4 texels
+        glm::ivec2 size{0};
+        std::vector<glm::vec2> range; // lowest and highest, m
+    };
+    struct Query;
+    void descend(Query& query, int level, glm::ivec2 node) const;
+    void leaf(Query& query, glm::ivec2 node) const;
+
+    std::shared_ptr<const io::HeightMap> m_heights;
+    std::vector<Level> m_levels; // finest first
+};
+
+} // namespace editor
