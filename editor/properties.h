@@ -1,0 +1,19 @@
+// Properties: every value of a world by a dotted name, as `set`, `get` and --set use them:
+// environment.sun.azimuth, camera.NAME.fov, template.NAME.sink, object.ID.position, terrain.metres_per_texel.
+#pragma once
+
+#include "editor/document.h"
+#include "io/base/value.h"
+
+#include <string_view>
+
+namespace editor {
+
+// An error names the key and changes nothing. What it changes goes through undo.
+io::Result<io::Value> getProperty(const Document& document, std::string_view key);
+io::Status setProperty(Document& document, std::string_view key, const io::Value& value);
+
+// A value as typed on a command line: JSON where it reads as such, "1,2,3" an array, on/off left as words.
+io::Value valueFromText(std::string_view text);
+
+} // namespace editor
