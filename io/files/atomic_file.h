@@ -3,8 +3,11 @@
 
 #include "io/base/result.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace io {
@@ -14,26 +17,29 @@ namespace io {
 class FileTransaction {
 public:
     explicit FileTransaction(std::filesystem::path folder) : m_folder{std::move(folder)} {}
-    void add(std::filesystem::path file, std::string bytes); // inside the folder
+    void add(std::string file, std::string bytes); // relative to the folder, inside it
     struct Report {
-        std::vector<std::filesystem::path> written;
+        std::vector<std::filesystem::path> written; // relative to the folder
         std::uint64_t bytes = 0;
     };
-    Result<Report> commit();
+    // `before` is told each step that touches the disk, so that a test can cut the work there.
+    Result<Report> commit(const std::function<void(std::string_view step)>& before = {});
 
 private:
     struct Item {
-        std::filesystem::path file;
+        std::string file;
         std::string bytes;
     };
     std::filesystem::path m_folder;
     std::vector<Item> m_items;
 };
 
-// Finishes the renames of a transaction that was cut off after its commit record, or drops its temporaries.
+// Finishes the renames of a transaction that was cut off after its commit record, and drops the temporaries of
+// one that was cut off before. Leaves those of another process that still runs alone.
 Status recoverTransactions(const std::filesystem::path& folder);
 
-Status writeFile(const std::filesystem::path& file, std::string_view bytes); // one file, atomically
-Result<std::string> readFile(const std::filesystem::path& file, std::uint64_t limit = std::uint64_t(1) << 30); // regular files only
+Status writeFile(const std::filesystem::path& file, std::string_view bytes); // one file, atomically; makes its folder
+Result<std::string> readFile(const std::filesystem::path& file,
+                             std::uint64_t limit = std::uint64_t(1) << 30); // regular files only
 
 } // namespace io

@@ -1,0 +1,81 @@
+#include "io/files/image_bytes.h"
+
+#include <array>
+#include <cstdint>
+
+namespace io {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view kPngStart = "\x89PNG\r\n\x1a\n"sv;
+
+std::uint32_t bigEndian(std::string_view bytes, std::size_t at, int count)
+{
+    std::uint32_t value = 0;
+    for (int i = 0; i < count; ++i)
+        value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+}
+
+// PNG (ISO/IEC 15948) is a row of chunks: length, four letters, data, checksum.
+std::string pngWithoutMetadata(std::string_view bytes)
+{
+    constexpr std::array kKept = {"IHDR"sv, "PLTE"sv, "tRNS"sv, "IDAT"sv, "IEND"sv};
+    std::string out{kPngStart};
+    std::size_t at = kPngStart.size();
+    while (at + 12 <= bytes.size()) {
+        const std::size_t size = std::size_t(bigEndian(bytes, at, 4)) + 12;
+        if (size > bytes.size() - at) break;
+        const std::string_view chunk = bytes.substr(at, size);
+        for (const std::string_view kept : kKept)
+            if (chunk.substr(4, 4) == kept) out += chunk;
+        at += size;
+    }
+    return out.append(bytes.substr(at)); // a cut-off chunk: for the decoder to refuse
+}
+
+// JPEG (ITU T.81) is a row of segments up to the start of scan: FF, marker, length, data. APP0 (JFIF) and APP14
+// (Adobe's colour transform) say how to read the pixels, the other APPn and comments do not.
+std::string jpegWithoutMetadata(std::string_view bytes)
+{
+    std::string out{bytes.substr(0, 2)};
+    std::size_t at = 2;
+    while (at + 4 <= bytes.size() && bytes[at] == '\xFF') {
+        const auto marker = static_cast<unsigned char>(bytes[at + 1]);
+        if (marker == 0xFF) { // padding
+            ++at;
+            continue;
+        }
+        const std::size_t size = std::size_t(bigEndian(bytes, at + 2, 2)) + 2;
+        if (marker == 0xDA || marker < 0xC0 || size > bytes.size() - at) break;
+        const bool application = marker >= 0xE1 && marker <= 0xEF && marker != 0xEE;
+        if (!application && marker != 0xFE) out += bytes.substr(at, size);
+        at += size;
+    }
+    return out.append(bytes.substr(at));
+}
+
+} // namespace
+
+std::string_view imageFormat(std::string_view bytes)
+{
+    if (bytes.starts_with(kPngStart)) return "png";
+    if (bytes.starts_with("\xFF\xD8\xFF"sv)) return "jpeg";
+    if (bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv)) return "tiff";
+    if (bytes.starts_with("II+\0"sv) || bytes.starts_with("MM\0+"sv)) return "tiff"; // BigTIFF
+    if (bytes.starts_with("\x76\x2f\x31\x01"sv)) return "openexr";
+    if (bytes.starts_with("#?RADIANCE"sv) || bytes.starts_with("#?RGBE"sv)) return "hdr";
+    if (bytes.starts_with("DDS "sv)) return "dds";
+    return {};
+}
+
+std::string withoutMetadata(std::string_view bytes)
+{
+    const std::string_view format = imageFormat(bytes);
+    if (format == "png") return pngWithoutMetadata(bytes);
+    if (format == "jpeg") return jpegWithoutMetadata(bytes);
+    return std::string{bytes};
+}
+
+} // namespace io
