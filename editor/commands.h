@@ -68,7 +68,7 @@ public:
     enum class State { ToDo, Done }; // of the commands that are added
     explicit Composite(std::string name, State state = State::ToDo) : Command{std::move(name)}, m_state{state} {}
 
-    void add(std::unique_ptr<Command> command); // merged with the last of a finished one where it can be
+    void add(std::unique_ptr<Command> command); // merged into what a finished one holds where it can be
     bool empty() const { return m_commands.empty(); }
 
     io::Changes swap(io::World& world) override;

@@ -68,6 +68,7 @@ public:
 
 private:
     void apply(Command& command);
+    std::string step(Command* (History::*which)());
     void follow(const io::Changes& changes);
     void readChangedAssets(const io::Changes& changes);
     void rememberAssets();

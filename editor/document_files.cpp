@@ -1,0 +1,163 @@
+// What a document reads and writes: the heavy files of its scene, save, save as and reload.
+#include "editor/document.h"
+
+#include "io/base/log.h"
+
+namespace editor {
+namespace {
+
+void logComplaints(const io::Complaints& complaints, std::size_t from)
+{
+    for (std::size_t i = from; i < complaints.size(); ++i)
+        io::log::warning("{}: {}", complaints[i].where, complaints[i].what);
+}
+
+// The project's files as they lie on disk, without the folder of a version control system.
+io::Status copyFolder(const std::filesystem::path& from, const std::filesystem::path& to)
+{
+    namespace fs = std::filesystem;
+    std::error_code fault;
+    fs::create_directories(to, fault);
+    for (fs::recursive_directory_iterator it{from, fault}, end; !fault && it != end; it.increment(fault)) {
+        if (it->path().filename() == ".git") {
+            it.disable_recursion_pending();
+            continue;
+        }
+        const fs::path target = to / fs::relative(it->path(), from, fault);
+        if (it->is_symlink(fault))
+            fs::copy_symlink(it->path(), target, fault);
+        else if (it->is_directory(fault))
+            fs::create_directories(target, fault);
+        else if (it->is_regular_file(fault))
+            fs::copy_file(it->path(), target, fault);
+    }
+    if (fault) return io::Error{to.string(), "could not copy the project here (" + fault.message() + "); choose another folder"};
+    return {};
+}
+
+io::Status usableForSaveAs(const std::filesystem::path& source, const std::filesystem::path& target)
+{
+    namespace fs = std::filesystem;
+    std::error_code fault;
+    if (fs::exists(target, fault) && !(fs::is_directory(target, fault) && fs::is_empty(target, fault)))
+        return io::Error{target.string(), "is not an empty folder; name a new one"};
+    const fs::path inside = fs::weakly_canonical(target, fault).lexically_relative(fs::weakly_canonical(source, fault));
+    if (!inside.empty() && *inside.begin() != "..")
+        return io::Error{target.string(), "lies inside the project itself; name a folder outside of it"};
+    return {};
+}
+
+} // namespace
+
+void Document::rememberAssets()
+{
+    m_readTerrain = m_world.scene.terrain();
+    m_readModels.clear();
+    for (const io::Scene::TemplateSlot& slot : m_world.scene.templates())
+        m_readModels.push_back(slot.value ? ReadModel{slot.value->model, slot.value->markerSize} : ReadModel{});
+}
+
+void Document::readChangedAssets(const io::Changes& changes)
+{
+    for (const io::TemplateId id : changes.templates) {
+        const io::Template* value = m_world.scene.find(id);
+        const ReadModel wanted = value ? ReadModel{value->model, value->markerSize} : ReadModel{};
+        const std::size_t slot = io::number(id) - 1;
+        if (m_readModels.size() <= slot) m_readModels.resize(slot + 1);
+        const bool have = m_assets.models.size() > slot && m_assets.models[slot];
+        if (!have || m_readModels[slot] != wanted) reloadModel(id);
+    }
+    if (changes.terrain && m_world.scene.terrain() != m_readTerrain) {
+        io::World ground; // a world that names nothing but the terrain's files
+        ground.project = m_world.project;
+        ground.entry = m_world.entry;
+        ground.scene.exchange(m_world.scene.terrain());
+        const std::size_t before = m_complaints.size();
+        if (io::Result<io::Assets> read = io::readAssets(ground, m_complaints); read) {
+            m_assets.heights = std::move(read->heights);
+            m_assets.layers = std::move(read->layers);
+        }
+        m_readTerrain = m_world.scene.terrain();
+        logComplaints(m_complaints, before);
+    }
+}
+
+void Document::reloadModel(io::TemplateId id)
+{
+    const std::size_t slot = io::number(id) - 1;
+    if (m_assets.models.size() <= slot) m_assets.models.resize(slot + 1);
+    if (m_readModels.size() <= slot) m_readModels.resize(slot + 1);
+    const std::size_t before = m_complaints.size();
+    m_assets.models[slot] = io::readTemplateModel(m_world, id, m_complaints);
+    const io::Template* value = m_world.scene.find(id);
+    m_readModels[slot] = value ? ReadModel{value->model, value->markerSize} : ReadModel{};
+    logComplaints(m_complaints, before);
+    m_changes.templates.push_back(id);
+    ++m_revision;
+}
+
+io::Result<io::FileTransaction::Report> Document::save()
+{
+    m_gestureDepth = std::min(m_gestureDepth, 1);
+    endGesture();
+    io::Result<io::FileTransaction::Report> report = io::saveWorld(m_world);
+    if (report) m_savedState = m_history.state();
+    return report;
+}
+
+io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::path& folder)
+{
+    namespace fs = std::filesystem;
+    const fs::path source = m_world.project.folder;
+    const fs::path target = fs::absolute(folder).lexically_normal();
+    if (const io::Status usable = usableForSaveAs(source, target); !usable) return usable.error();
+
+    // All of it beside the target first, so that the target is there whole or not at all.
+    fs::path half = target;
+    if (!half.has_filename()) half = half.parent_path();
+    half += ".saving";
+    std::error_code fault;
+    fs::remove_all(half, fault);
+    const io::Status copied = copyFolder(source, half);
+    if (!copied) {
+        fs::remove_all(half, fault);
+        return copied.error();
+    }
+    m_world.project.folder = half;
+    const std::uint64_t savedBefore = m_savedState;
+    io::Result<io::FileTransaction::Report> report = save();
+    if (report) {
+        fs::rename(half, target, fault);
+        if (fault) report = io::Error{target.string(), "could not be made (" + fault.message() + ")"};
+    }
+    if (report)
+        for (fs::path& file : report->written)
+            if (file.is_absolute()) file = target / file.lexically_relative(half);
+    m_world.project.folder = report ? target : source;
+    if (!report) {
+        m_savedState = savedBefore;
+        fs::remove_all(half, fault);
+    }
+    return report;
+}
+
+io::Status Document::reload(const io::Progress& progress)
+{
+    io::Complaints complaints;
+    io::Result<io::World> world = io::openWorld(m_world.project.folder, m_world.entry.name, complaints);
+    if (!world) return world.error();
+    io::Result<io::Assets> assets = io::readAssets(*world, complaints, progress);
+    if (!assets) return assets.error();
+    m_gesture.reset();
+    m_gestureDepth = 0;
+    m_world = std::move(*world);
+    m_assets = std::move(*assets);
+    m_complaints = std::move(complaints);
+    m_history.clear();
+    m_savedState = m_history.state();
+    rememberAssets();
+    follow({.everything = true});
+    return {};
+}
+
+} // namespace editor
