@@ -1,0 +1,208 @@
+#include "io/files/scene_file.h"
+
+#include "io/files/headed_file.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace io {
+namespace {
+
+constexpr const char* kFormat = "wold-scene";
+constexpr float kSmallestScale = 1e-6f;
+
+// Finds slots by name faster than the scene's own search, for a million objects.
+class TemplateNames {
+public:
+    TemplateNames(Scene& scene, Source& source) : m_scene{scene}, m_source{source} {}
+
+    TemplateId operator()(std::string_view name, const char* at)
+    {
+        if (name.empty()) return TemplateId::None;
+        const auto known = m_ids.find(std::string{name});
+        if (known != m_ids.end()) return known->second;
+        if (!m_scene.find(m_scene.findTemplate(name)))
+            m_source.complain(Severity::Error, at,
+                              "template: \"" + std::string{name} +
+                                  "\" is no template of this project; add it, or the objects stay empty places");
+        return m_ids[std::string{name}] = m_scene.templateSlot(name);
+    }
+
+private:
+    Scene& m_scene;
+    Source& m_source;
+    std::unordered_map<std::string, TemplateId> m_ids;
+};
+
+class ObjectsReader {
+public:
+    ObjectsReader(Scene& scene, Source& source) : m_scene{scene}, m_source{source} {}
+
+    void read(JsonValue list)
+    {
+        if (!isArray(list))
+            return m_source.complain(Severity::Error, startOf(list), "objects: expected a list in brackets");
+        for (auto item : list.get_array())
+            readOne(item.value());
+        for (auto& [object, at] : m_nameless)
+            m_scene.exchange(m_scene.freshId(), std::move(object));
+        mendParents();
+    }
+
+private:
+    void readOne(JsonValue value)
+    {
+        const char* at = startOf(value);
+        if (!isObject(value)) return m_source.complain(Severity::Error, at, "objects: expected an object in braces; left out");
+        ObjectLine line;
+        readSection(line, value.get_object(), nullptr, Unknown{&line.extra, {}}, m_source, [](auto&&...) { return false; });
+        mendScale(line, at);
+        if (line.id == ObjectId::None) {
+            m_source.complain(Severity::Error, at, "id: missing; the object gets a new one");
+            m_nameless.emplace_back(std::move(line), at);
+        } else if (m_scene.find(line.id)) {
+            m_source.complain(Severity::Error, at,
+                              "id: " + std::to_string(number(line.id)) + " is taken by an object above; this one is left out");
+        } else {
+            if (line.parent != ObjectId::None) m_children.emplace_back(line.id, at);
+            const ObjectId id = line.id;
+            m_scene.exchange(id, Object{std::move(line)});
+        }
+    }
+    void mendScale(Object& object, const char* at)
+    {
+        for (int axis = 0; axis < 3; ++axis) {
+            float& s = object.transform.scale[axis];
+            if (std::abs(s) >= kSmallestScale) continue;
+            m_source.complain(Severity::Error, at, "scale: " + numberText(s) + " is too small; made 0.000001");
+            s = std::copysign(kSmallestScale, s);
+        }
+    }
+    void mendParents()
+    {
+        for (const auto& [id, at] : m_children)
+            if (!m_scene.find(m_scene.at(id).parent)) orphan(id, at, "is no object of this scene");
+        std::unordered_set<ObjectId> sound; // lead to the top
+        for (const auto& [id, at] : m_children) {
+            std::unordered_set<ObjectId> path;
+            ObjectId up = id;
+            while (up != ObjectId::None && !sound.contains(up) && path.insert(up).second)
+                up = m_scene.at(up).parent;
+            if (path.contains(up)) orphan(id, at, "makes a circle of parents");
+            sound.insert(path.begin(), path.end());
+        }
+    }
+    void orphan(ObjectId id, const char* at, const char* why)
+    {
+        Object object = m_scene.at(id);
+        m_source.complain(Severity::Error, at, "parent: " + std::to_string(number(object.parent)) + " " + why + "; removed");
+        object.parent = ObjectId::None;
+        m_scene.exchange(id, std::move(object));
+    }
+
+    Scene& m_scene;
+    Source& m_source;
+    std::vector<std::pair<ObjectId, const char*>> m_children;
+    std::vector<std::pair<Object, const char*>> m_nameless;
+};
+
+// Writes the members of an object's line, without those that have their default. Compares with the fields of a
+// default object, which come in the same order.
+class LineWriter {
+public:
+    LineWriter(std::string& out, const Scene& scene) : m_out{out}, m_scene{scene}
+    {
+        static const Object kDefaults;
+        Collector collect{m_defaults};
+        fields(collect, kDefaults);
+    }
+
+    void line(const Object& object)
+    {
+        m_next = 0;
+        m_out += "{\"id\":";
+        appendNumber(m_out, double(number(object.id)));
+        fields(*this, object);
+        for (const auto& [path, json] : object.extra.keys()) {
+            std::string key;
+            if (!keyInSection(path, "", key)) continue;
+            name(key);
+            m_out += json;
+        }
+        m_out += '}';
+    }
+    template <class T>
+    void operator()(std::string_view key, const T& value, const Hint&)
+    {
+        const bool always = key == "template" || key == "position";
+        if (const void* usual = m_defaults[m_next++]; !always && value == *static_cast<const T*>(usual)) return;
+        name(key);
+        if constexpr (std::is_same_v<T, TemplateId>) appendString(m_out, m_scene.templateName(value));
+        else appendLeaf(m_out, value);
+    }
+
+private:
+    struct Collector {
+        std::vector<const void*>& defaults;
+        void operator()(const char*, const auto& value, const Hint&) { defaults.push_back(&value); }
+    };
+
+    void name(std::string_view key)
+    {
+        m_out += ',';
+        appendString(m_out, key);
+        m_out += ':';
+    }
+
+    std::string& m_out;
+    const Scene& m_scene;
+    std::vector<const void*> m_defaults;
+    std::size_t m_next = 0;
+};
+
+} // namespace
+
+Result<std::string> readSceneText(std::string text, const std::string& name, Scene& scene, Complaints& complaints)
+{
+    const std::size_t size = text.size();
+    text.append(simdjson::SIMDJSON_PADDING, '\0');
+    Complaints found;
+    Source source{name, std::string_view{text}.substr(0, size), found};
+    source.templateNamed = TemplateNames{scene, source};
+    ObjectsReader objects{scene, source};
+    Result<SceneBody> body = readHeaded<SceneBody>(source, kFormat, [&](std::string_view key, JsonValue& value, const Place&) {
+        if (key != "objects") return false;
+        objects.read(value);
+        return true;
+    });
+    if (!body) return body.error();
+    source.finish();
+    complaints.insert(complaints.end(), found.begin(), found.end());
+    scene.exchange(std::move(body->terrain));
+    scene.extra = std::move(body->extra);
+    return std::move(body->environment);
+}
+
+std::string sceneText(const Scene& scene, const std::string& environmentFile)
+{
+    std::string out;
+    out.reserve(512 + scene.objects().size() * 128);
+    FieldWriter writer{out, 0, &scene.extra};
+    out += '{';
+    const Headed<SceneBody> head{kFormat, kFileVersion, {environmentFile, scene.terrain(), {}}};
+    fields(writer, head);
+    writer.extras();
+    writer.name("objects");
+    out += '[';
+    LineWriter lines{out, scene};
+    bool first = true;
+    for (const ObjectId id : scene.sortedIds()) {
+        out += std::exchange(first, false) ? "\n" : ",\n";
+        lines.line(scene.at(id));
+    }
+    out += first ? "]\n}\n" : "\n]}\n";
+    return out;
+}
+
+} // namespace io
