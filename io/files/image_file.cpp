@@ -71,8 +71,16 @@ bool readPixels(OIIO::ImageInput& input, Image& image, OIIO::TypeDesc format)
     return input.read_image(0, 0, 0, image.channels, typeOf(image.type), image.bytes.data());
 }
 
+// The library's own limits lie a little above ours, as a second net.
+void limitLibrary()
+{
+    static const bool once = OIIO::attribute("threads", 1) && OIIO::attribute("limits:imagesize_MB", 1024);
+    (void)once;
+}
+
 Result<Image> decode(std::string_view bytes, const std::string& where)
 {
+    limitLibrary();
     const std::string format{imageFormat(bytes)};
     if (format.empty()) return refused(where, "not an image that Wold reads (PNG, JPEG, TIFF, EXR, HDR, DDS)");
     const std::string clean = withoutMetadata(bytes);

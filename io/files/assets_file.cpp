@@ -1,0 +1,192 @@
+// Reads what a scene names: models, height map, layer images; each file once, several at a time.
+#include "io/base/paths.h"
+#include "io/files/height_map_file.h"
+#include "io/files/image_file.h"
+#include "io/files/model_file.h"
+#include "io/files/project.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <thread>
+
+namespace io {
+namespace {
+
+constexpr glm::vec4 kMarkerColour{0.25f, 0.45f, 0.8f, 1};
+constexpr glm::vec4 kMissingColour{0.9f, 0.05f, 0.6f, 1};
+
+struct Job {
+    std::string name; // of the file, for progress
+    std::function<void(Complaints&)> run;
+    Complaints complaints;
+};
+
+// Runs all jobs on other threads, while this one tells of the progress. False when it was cancelled.
+bool runAll(std::vector<Job>& jobs, const Progress& progress)
+{
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::atomic<bool> cancelled{false};
+    std::atomic<std::size_t> next{0};
+    std::vector<std::string> done; // names
+    const auto work = [&] {
+        for (std::size_t i = next++; i < jobs.size(); i = next++) {
+            if (!cancelled) jobs[i].run(jobs[i].complaints);
+            const std::lock_guard lock{mutex};
+            done.push_back(jobs[i].name);
+            changed.notify_one();
+        }
+    };
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < std::min<std::size_t>(jobs.size(), std::max(1u, std::thread::hardware_concurrency())); ++i)
+        threads.emplace_back(work);
+
+    std::size_t told = 0;
+    while (told < jobs.size()) {
+        std::unique_lock lock{mutex};
+        changed.wait(lock, [&] { return done.size() > told; });
+        told = done.size();
+        const std::string step = done.back();
+        lock.unlock();
+        if (!report(progress, float(told) / float(jobs.size()), step)) cancelled = true;
+    }
+    return !cancelled;
+}
+
+Complaint complaintOf(const std::string& where, const char* key, const Error& error)
+{
+    return {Severity::Error, where, std::string{key} + ": " + error.text()};
+}
+
+Result<Model> readModelOf(const World& world, const std::string& file, Complaints& complaints)
+{
+    const Result<std::filesystem::path> path = insideFolder(world.project.folder, file);
+    if (!path) return path.error();
+    return readModel(*path, world.project.folder, complaints);
+}
+
+std::shared_ptr<const Model> box(const glm::vec3& size, const glm::vec4& colour)
+{
+    return std::make_shared<const Model>(boxModel(size, colour));
+}
+
+std::string templatePath(const World& world, std::string_view name)
+{
+    return (world.project.folder / "templates" / (std::string{name} + ".json")).string();
+}
+
+// Templates that share a file share its model.
+void addModelJobs(const World& world, Assets& assets, std::vector<Job>& jobs)
+{
+    const auto slots = world.scene.templates();
+    assets.models.resize(slots.size());
+    std::map<std::string, std::vector<std::size_t>> usersOf;
+    for (std::size_t i = 0; i < slots.size(); ++i)
+        usersOf[slots[i].value ? slots[i].value->model : std::string{}].push_back(i);
+    for (auto& [file, users] : usersOf) {
+        if (file.empty()) {
+            for (const std::size_t i : users)
+                assets.models[i] = slots[i].value ? box(slots[i].value->markerSize, kMarkerColour) : box(glm::vec3{1}, kMissingColour);
+            continue;
+        }
+        jobs.push_back({file, [&world, &assets, users](Complaints& complaints) {
+            const auto model = readTemplateModel(world, TemplateId(users.front() + 1), complaints);
+            for (const std::size_t i : users)
+                assets.models[i] = model;
+        }});
+    }
+}
+
+void addImageJobs(const World& world, Assets& assets, std::vector<Job>& jobs)
+{
+    const std::vector<TerrainLayer>& layers = world.scene.terrain().layers;
+    const std::string where = (world.project.folder / world.entry.file).string();
+    assets.layers.resize(layers.size());
+    std::map<std::string, std::vector<std::shared_ptr<const Image>*>> usersOf;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        if (!layers[i].texture.empty()) usersOf[layers[i].texture].push_back(&assets.layers[i].colour);
+        if (!layers[i].normalTexture.empty()) usersOf[layers[i].normalTexture].push_back(&assets.layers[i].normal);
+    }
+    for (const auto& [file, users] : usersOf) {
+        jobs.push_back({file, [&world, where, file, users](Complaints& complaints) {
+            const Result<std::filesystem::path> path = insideFolder(world.project.folder, file);
+            Result<Image> image = path ? readImage(*path) : Result<Image>{path.error()};
+            if (!image) return complaints.push_back(complaintOf(where, "terrain.layers", image.error()));
+            const auto shared = std::make_shared<const Image>(std::move(*image));
+            for (auto* user : users)
+                *user = shared;
+        }});
+    }
+}
+
+void addHeightJob(const World& world, Assets& assets, std::vector<Job>& jobs)
+{
+    const Terrain& terrain = world.scene.terrain();
+    if (terrain.heightMap.empty()) return;
+    jobs.push_back({terrain.heightMap, [&world, &assets, &terrain](Complaints& complaints) {
+        const Result<std::filesystem::path> path = insideFolder(world.project.folder, terrain.heightMap);
+        Result<HeightMap> heights = path ? readHeightMap(*path, terrain, complaints) : Result<HeightMap>{path.error()};
+        const std::string where = (world.project.folder / world.entry.file).string();
+        if (heights) assets.heights = std::make_shared<const HeightMap>(std::move(*heights));
+        else complaints.push_back(complaintOf(where, "terrain.height_map", heights.error()));
+    }});
+}
+
+} // namespace
+
+std::shared_ptr<const Model> readTemplateModel(const World& world, TemplateId id, Complaints& complaints)
+{
+    const Template* value = world.scene.find(id);
+    if (!value) return box(glm::vec3{1}, kMissingColour);
+    if (value->model.empty()) return box(value->markerSize, kMarkerColour);
+    Result<Model> model = readModelOf(world, value->model, complaints);
+    if (model) return std::make_shared<const Model>(std::move(*model));
+    complaints.push_back(complaintOf(templatePath(world, value->name), "model", model.error()));
+    return box(value->markerSize, kMissingColour);
+}
+
+Result<Assets> readAssets(const World& world, Complaints& complaints, const Progress& progress)
+{
+    Assets assets;
+    std::vector<Job> jobs;
+    addHeightJob(world, assets, jobs); // the largest first
+    addImageJobs(world, assets, jobs);
+    addModelJobs(world, assets, jobs);
+    const bool complete = runAll(jobs, progress);
+    for (const Job& job : jobs)
+        complaints.insert(complaints.end(), job.complaints.begin(), job.complaints.end());
+    if (!complete) return Error{world.project.folder.string(), "reading was cancelled"};
+    return assets;
+}
+
+Complaints checkProject(const std::filesystem::path& project)
+{
+    Complaints complaints;
+    const auto keep = [&](const Complaints& found) { // scenes share templates: each fault is named once
+        for (const Complaint& complaint : found) {
+            const auto same = [&](const Complaint& known) { return known.where == complaint.where && known.what == complaint.what; };
+            if (std::none_of(complaints.begin(), complaints.end(), same)) complaints.push_back(complaint);
+        }
+    };
+    std::vector<SceneEntry> scenes{{}}; // the start scene; the others once they are known
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        Complaints found;
+        const Result<World> world = openWorld(project, scenes[i].name, found);
+        if (world) {
+            if (const Result<Assets> assets = readAssets(*world, found); !assets)
+                found.push_back({Severity::Error, assets.error().where, assets.error().what});
+            if (i == 0)
+                for (const SceneEntry& entry : world->project.scenes)
+                    if (entry != world->entry) scenes.push_back(entry);
+        } else {
+            found.push_back({Severity::Error, world.error().where, world.error().what});
+        }
+        keep(found);
+    }
+    return complaints;
+}
+
+} // namespace io

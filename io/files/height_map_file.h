@@ -1,0 +1,20 @@
+// Height maps: PNG, TIFF or EXR to metres, with the gaps of measured data closed.
+#pragma once
+
+#include "io/base/complaint.h"
+#include "io/base/result.h"
+#include "io/scene/terrain.h"
+
+#include <filesystem>
+
+namespace io {
+
+// 8 and 16 bits unsigned map 0..max to the terrain's minHeight..maxHeight; float and signed integers are metres.
+// Voids (NaN, infinity, -32768, -32767, -9999, anything beyond 100 km) are filled from their neighbours and counted in
+// a complaint. At least 2 x 2.
+Result<HeightMap> readHeightMap(const std::filesystem::path& file, const Terrain& terrain, Complaints& complaints);
+
+// A 16-bit PNG that readHeightMap() reads back with the same two heights; what lies outside them is clamped.
+Status writeHeightMap16(const std::filesystem::path& file, const HeightMap& heights, double minHeight, double maxHeight);
+
+} // namespace io
