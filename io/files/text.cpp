@@ -50,21 +50,33 @@ bool plain(char c)
     return byte >= 0x20 && byte < 0x7F && c != '"' && c != '\\';
 }
 
+// 100000 rather than 1e+05, which some readers do not take for an integer.
+bool appendedWhole(std::string& out, double value)
+{
+    constexpr double kExact = 9007199254740992; // 2^53
+    if (std::abs(value) > kExact || value != std::trunc(value)) return false;
+    char digits[32];
+    out.append(digits, std::to_chars(digits, digits + sizeof digits, static_cast<long long>(value)).ptr);
+    return true;
+}
+
 } // namespace
 
 void appendNumber(std::string& out, double value)
 {
     EXPECTS(std::isfinite(value));
+    if (appendedWhole(out, value)) return;
     char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, value == 0 ? 0.0 : value).ptr;
+    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
     out.append(digits, end);
 }
 
 void appendNumber(std::string& out, float value)
 {
     EXPECTS(std::isfinite(value));
+    if (appendedWhole(out, double(value))) return;
     char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, value == 0 ? 0.0f : value).ptr;
+    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
     // Readers parse a double and round it once more, which for a few floats is not the value we started from.
     double back = 0;
     std::from_chars(digits, end, back);

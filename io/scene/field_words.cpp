@@ -82,7 +82,10 @@ std::string listed(std::span<const std::string_view> names)
 std::string numberText(double number)
 {
     char digits[32];
-    return {digits, std::to_chars(digits, digits + sizeof digits, number == 0 ? 0.0 : number).ptr};
+    const bool whole = std::abs(number) < 1e15 && number == std::trunc(number);
+    const auto end = whole ? std::to_chars(digits, digits + sizeof digits, static_cast<long long>(number))
+                           : std::to_chars(digits, digits + sizeof digits, number);
+    return {digits, end.ptr};
 }
 
 double decimal(float value)
