@@ -9,11 +9,12 @@
 
 namespace editor {
 
-// An error names the key and changes nothing. What it changes goes through undo.
+// An error names the key and changes nothing. What it changes goes through undo. Text will do for any value, as typed
+// on a command line: "on", "1.5", "1,0.9,0.8".
 io::Result<io::Value> getProperty(const Document& document, std::string_view key);
 io::Status setProperty(Document& document, std::string_view key, const io::Value& value);
 
-// A value as typed on a command line: JSON where it reads as such, "1,2,3" an array, on/off left as words.
+// A value as typed on a command line: a JSON array where it is one, otherwise the text as it is.
 io::Value valueFromText(std::string_view text);
 
 } // namespace editor
