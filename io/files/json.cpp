@@ -58,7 +58,7 @@ std::string plainWords(std::string message)
 // Builds a Value from the parser's events, without recursion.
 class Builder {
 public:
-    explicit Builder(const int& line) : m_line{line} {}
+    Builder(const int& line, Duplicates duplicates) : m_line{line}, m_duplicates{duplicates} {}
 
     bool null() { return put(Value{}); }
     bool boolean(bool b) { return put(b); }
@@ -76,7 +76,8 @@ public:
     bool end_array() { return close(); }
     bool key(std::string& name)
     {
-        if (!m_open.back().keys.insert(name).second) return fail(name + ": the key appears twice; remove one");
+        const bool fresh = m_open.back().keys.insert(name).second;
+        if (!fresh && m_duplicates == Duplicates::Refuse) return fail(name + ": the key appears twice; remove one");
         m_open.back().key = std::move(name);
         return true;
     }
@@ -119,11 +120,18 @@ private:
     {
         if (m_open.empty()) result = std::move(value);
         else if (Value::Array* array = m_open.back().value.asArray()) array->push_back(std::move(value));
-        else m_open.back().value.asObject()->emplace_back(std::move(m_open.back().key), std::move(value));
+        else putMember(*m_open.back().value.asObject(), std::move(m_open.back().key), std::move(value));
         return true;
+    }
+    void putMember(Value::Object& object, std::string key, Value value)
+    {
+        if (m_open.back().keys.size() == object.size()) // the key was there before
+            std::erase_if(object, [&](const Value::Member& member) { return member.first == key; });
+        object.emplace_back(std::move(key), std::move(value));
     }
 
     const int& m_line;
+    Duplicates m_duplicates;
     std::vector<Open> m_open;
 };
 
@@ -189,10 +197,10 @@ private:
 
 } // namespace
 
-Result<Value> parseJson(std::string_view text, const std::string& where)
+Result<Value> parseJson(std::string_view text, const std::string& where, Duplicates duplicates)
 {
     int line = 1;
-    Builder builder{line};
+    Builder builder{line, duplicates};
     const CountingIterator first{text.data(), &line};
     const CountingIterator last{text.data() + text.size(), &line};
     try {

@@ -9,8 +9,10 @@
 
 namespace io {
 
+enum class Duplicates { Refuse, KeepLast }; // of a key in one object
+
 // `where` names the text in errors, which read WHERE:LINE: what is wrong. Nesting over 64 is refused.
-Result<Value> parseJson(std::string_view text, const std::string& where);
+Result<Value> parseJson(std::string_view text, const std::string& where, Duplicates duplicates = Duplicates::Refuse);
 std::string writeJson(const Value& value, int indent = -1); // -1: one line
 
 } // namespace io
