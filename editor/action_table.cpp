@@ -1,0 +1,226 @@
+// The table of everything that a person can tell the window to do.
+#include "editor/actions.h"
+#include "editor/arrange.h"
+#include "editor/editor.h"
+#include "editor/placement.h"
+#include "editor/text.h"
+
+namespace editor {
+namespace {
+
+std::vector<io::ObjectId> selected(Editor& e)
+{
+    return {e.selection().ids().begin(), e.selection().ids().end()};
+}
+
+void select(Editor& e, std::span<const io::ObjectId> ids)
+{
+    e.follow(); // what was just made is known from now on
+    e.selection().set(ids);
+}
+
+void removeSelected(Editor& e, const char* textKey)
+{
+    e.step(textKey, [&](Document& d) { removeObjects(d, tr(textKey), selected(e)); });
+}
+
+void copySelected(Editor& e)
+{
+    ImGui::SetClipboardText(copyAsText(*e.document(), selected(e)).c_str());
+}
+
+void pasteClipboard(Editor& e)
+{
+    const char* clipboard = ImGui::GetClipboardText();
+    const std::string text = clipboard ? clipboard : "";
+    const io::Camera& camera = e.viewport().camera.camera();
+    const glm::dvec3 at = e.viewport().pointUnderPointer(e).value_or(camera.eye + 10.0 * io::forward(camera));
+    std::vector<io::ObjectId> made;
+    io::Status done;
+    e.step("undo.paste", [&](Document& d) {
+        auto pasted = paste(d, text, at);
+        if (pasted) made = std::move(*pasted);
+        else done = pasted.error();
+    });
+    if (!done) return e.toasts().add(io::log::Level::Warning, trf("message.cannot_paste", done.error().what));
+    select(e, made);
+}
+
+void duplicateSelected(Editor& e)
+{
+    std::vector<io::ObjectId> made;
+    e.step("undo.duplicate", [&](Document& d) { made = duplicate(d, selected(e), {1, 0, 1}); });
+    select(e, made);
+}
+
+void drop(Editor& e, DropTurn turn)
+{
+    e.follow();
+    e.step("undo.drop", [&](Document& d) { dropToGround(d, e.picker(), selected(e), turn); });
+}
+
+void groupSelected(Editor& e)
+{
+    io::ObjectId made = io::ObjectId::None;
+    e.step("undo.group", [&](Document& d) { made = group(d, selected(e)); });
+    if (made != io::ObjectId::None) select(e, {&made, 1});
+}
+
+void ungroupSelected(Editor& e)
+{
+    std::vector<io::ObjectId> members;
+    e.step("undo.ungroup", [&](Document& d) { members = ungroup(d, selected(e)); });
+    select(e, members);
+}
+
+void storeCamera(Editor& e)
+{
+    e.step("undo.store_camera", [&](Document& d) {
+        std::vector<io::Camera> cameras{d.scene().cameras().begin(), d.scene().cameras().end()};
+        io::Camera camera = e.viewport().camera.camera();
+        for (std::size_t n = cameras.size() + 1; n == cameras.size() + 1 || d.scene().findCamera(camera.name); ++n)
+            camera.name = trf("camera.name", n);
+        cameras.push_back(camera);
+        setCameras(d, tr("undo.store_camera"), std::move(cameras));
+    });
+}
+
+void undo(Editor& e)
+{
+    e.document()->undo();
+}
+
+std::string nextUndo(Editor& e)
+{
+    if (!e.document() || !e.document()->history().canUndo()) return {};
+    return e.document()->history().names()[e.document()->history().position() - 1];
+}
+
+std::string nextRedo(Editor& e)
+{
+    if (!e.document() || !e.document()->history().canRedo()) return {};
+    return e.document()->history().names()[e.document()->history().position()];
+}
+
+bool hasGroup(Editor& e)
+{
+    for (const io::ObjectId id : e.selection().ids())
+        if (const io::Object* o = e.document()->scene().find(id); o && o->templateId == io::TemplateId::None) return true;
+    return false;
+}
+
+void chooseTool(Editor& e, GizmoMode mode)
+{
+    e.viewport().gizmo.mode = mode;
+    e.viewport().gizmoShown = true;
+}
+
+void place(Editor& e)
+{
+    if (e.viewport().placing() != io::TemplateId::None) return e.viewport().stopPlacing();
+    e.workspace().bringToFront("templates");
+    if (e.document()->scene().find(e.chosenTemplate)) e.viewport().beginPlacing(e.chosenTemplate);
+}
+
+void fileActions(Actions& a, Editor& e)
+{
+    const auto open = [&e] { return e.document() != nullptr; };
+    a.add({.id = "new", .icon = Icon::New, .keys = ctrl(Key::N),
+           .run = [&e] { e.dialogs().askToSave(e, [&e] { e.dialogs().showNew(); }); }});
+    a.add({.id = "open", .icon = Icon::Open, .keys = ctrl(Key::O),
+           .run = [&e] { e.dialogs().askToSave(e, [&e] { e.dialogs().showOpen(e); }); }});
+    a.add({.id = "save", .icon = Icon::Save, .keys = ctrl(Key::S), .run = [&e] { e.save(); }, .enabled = open});
+    a.add({.id = "save_as", .keys = ctrlShift(Key::S), .run = [&e] { e.dialogs().showSaveAs(e); }, .enabled = open});
+    a.add({.id = "revert", .icon = Icon::Reset, .run = [&e] { e.revert(); },
+           .enabled = [&e] { return e.document() && e.document()->modified(); }});
+    a.add({.id = "close", .icon = Icon::Home, .keys = ctrl(Key::W),
+           .run = [&e] { e.dialogs().askToSave(e, [&e] { e.closeProject(); }); }, .enabled = open});
+    a.add({.id = "quit", .keys = ctrl(Key::Q), .run = [&e] { e.requestClose(); }});
+}
+
+void editActions(Actions& a, Editor& e)
+{
+    const auto open = [&e] { return e.document() != nullptr; };
+    const auto any = [&e] { return e.document() && !e.selection().empty(); };
+    a.add({.id = "undo", .icon = Icon::Undo, .keys = ctrl(Key::Z), .run = [&e] { undo(e); },
+           .enabled = [&e] { return e.document() && e.document()->history().canUndo(); },
+           .detail = [&e] { return nextUndo(e); }, .repeats = true});
+    a.add({.id = "redo", .icon = Icon::Redo, .keys = ctrlShift(Key::Z), .otherKeys = ctrl(Key::Y),
+           .run = [&e] { e.document()->redo(); },
+           .enabled = [&e] { return e.document() && e.document()->history().canRedo(); },
+           .detail = [&e] { return nextRedo(e); }, .repeats = true});
+    a.add({.id = "cut", .keys = ctrl(Key::X), .run = [&e] { copySelected(e), removeSelected(e, "undo.cut"); }, .enabled = any});
+    a.add({.id = "copy", .icon = Icon::Copy, .keys = ctrl(Key::C), .run = [&e] { copySelected(e); }, .enabled = any});
+    a.add({.id = "paste", .keys = ctrl(Key::V), .run = [&e] { pasteClipboard(e); }, .enabled = open});
+    a.add({.id = "duplicate", .icon = Icon::Copy, .keys = ctrl(Key::D), .run = [&e] { duplicateSelected(e); }, .enabled = any});
+    a.add({.id = "delete", .icon = Icon::Trash, .keys = {.key = Key::Delete}, .run = [&e] { removeSelected(e, "undo.delete"); }, .enabled = any});
+    a.add({.id = "select_all", .keys = ctrl(Key::A),
+           .run = [&e] { e.selection().set(allObjects(e.document()->scene(), e.document()->hierarchy())); }, .enabled = open});
+    a.add({.id = "select_none", .keys = ctrlShift(Key::A), .run = [&e] { e.selection().clear(); }, .enabled = any});
+    a.add({.id = "invert", .keys = ctrl(Key::I),
+           .run = [&e] { e.selection().set(inverted(e.document()->scene(), e.document()->hierarchy(), e.selection())); }, .enabled = open});
+    a.add({.id = "select_same", .keys = {.key = Key::G, .shift = true},
+           .run = [&e] { e.selection().set(sameTemplate(e.document()->scene(), selected(e))); }, .enabled = any});
+    a.add({.id = "group", .icon = Icon::Group, .keys = ctrl(Key::G), .run = [&e] { groupSelected(e); }, .enabled = any});
+    a.add({.id = "ungroup", .keys = ctrlShift(Key::G), .run = [&e] { ungroupSelected(e); }, .enabled = [any, &e] { return any() && hasGroup(e); }});
+}
+
+void viewActions(Actions& a, Editor& e)
+{
+    const auto open = [&e] { return e.document() != nullptr; };
+    a.add({.id = "frame", .icon = Icon::Frame, .keys = {.key = Key::F}, .run = [&e] { e.viewport().frameSelection(e); }, .enabled = open});
+    a.add({.id = "store_camera", .icon = Icon::Plus, .run = [&e] { storeCamera(e); }, .enabled = open});
+    a.add({.id = "overlays", .keys = {.key = Key::F1}, .run = [&e] { e.viewport().showOverlays = !e.viewport().showOverlays; },
+           .checked = [&e] { return e.viewport().showOverlays; }});
+    a.add({.id = "rendering", .run = [&e] { e.workspace().bringToFront("rendering"); }});
+    a.add({.id = "reset_layout", .icon = Icon::Reset, .run = [&e] { e.workspace().reset(); }});
+    a.add({.id = "reload_shaders", .keys = {.key = Key::F5}, .run = [&e] { e.renderer()->reloadShaders(); },
+           .enabled = [&e] { return e.renderer() != nullptr; }});
+    a.add({.id = "keys", .icon = Icon::Info, .run = [&e] { e.dialogs().showKeys(); }});
+}
+
+void toolActions(Actions& a, Editor& e)
+{
+    const auto open = [&e] { return e.document() != nullptr; };
+    const auto any = [&e] { return e.document() && !e.selection().empty(); };
+    const auto tool = [&](std::string_view id, Icon icon, Key key, Key digit, GizmoMode mode) {
+        a.add({.id = id, .icon = icon, .keys = {.key = key}, .otherKeys = {.key = digit}, .run = [&e, mode] { chooseTool(e, mode); },
+               .checked = [&e, mode] { return e.viewport().gizmoShown && e.viewport().gizmo.mode == mode; }});
+    };
+    a.add({.id = "tool_select", .icon = Icon::Select, .keys = {.key = Key::Q}, .run = [&e] { e.viewport().gizmoShown = false; },
+           .checked = [&e] { return !e.viewport().gizmoShown; }});
+    tool("tool_move", Icon::Translate, Key::W, Key::Digit1, GizmoMode::Translate);
+    tool("tool_rotate", Icon::Rotate, Key::E, Key::Digit2, GizmoMode::Rotate);
+    tool("tool_scale", Icon::Scale, Key::R, Key::Digit3, GizmoMode::Scale);
+    a.add({.id = "space", .icon = Icon::Local, .keys = {.key = Key::X},
+           .run = [&e] {
+               GizmoSpace& space = e.viewport().gizmo.space;
+               space = space == GizmoSpace::World ? GizmoSpace::Local : GizmoSpace::World;
+           },
+           .checked = [&e] { return e.viewport().gizmo.space == GizmoSpace::Local; }});
+    a.add({.id = "snap", .icon = Icon::Snap, .keys = {.key = Key::N}, .run = [&e] { e.viewport().snapping = !e.viewport().snapping; },
+           .checked = [&e] { return e.viewport().snapping; }});
+    a.add({.id = "place", .icon = Icon::Place, .keys = {.key = Key::P}, .run = [&e] { place(e); }, .enabled = open,
+           .checked = [&e] { return e.viewport().placing() != io::TemplateId::None; }});
+    a.add({.id = "place_camera", .icon = Icon::PlaceHere, .keys = {.key = Key::P, .shift = true},
+           .run = [&e] { e.viewport().placeAtCamera(e, e.chosenTemplate); },
+           .enabled = [&e] { return e.document() && e.document()->scene().find(e.chosenTemplate); }});
+    a.add({.id = "drop", .icon = Icon::Drop, .keys = {.key = Key::End}, .run = [&e] { drop(e, DropTurn::Keep); }, .enabled = any});
+    a.add({.id = "drop_align", .keys = {.key = Key::End, .shift = true}, .run = [&e] { drop(e, DropTurn::Align); }, .enabled = any});
+    a.add({.id = "pick_boxes", .run = [&e] { e.picker().setBoxesOnly(!e.picker().boxesOnly()); },
+           .checked = [&e] { return e.picker().boxesOnly(); }});
+}
+
+} // namespace
+
+Actions makeActions(Editor& editor)
+{
+    Actions actions;
+    fileActions(actions, editor);
+    editActions(actions, editor);
+    viewActions(actions, editor);
+    toolActions(actions, editor);
+    return actions;
+}
+
+} // namespace editor

@@ -1,0 +1,244 @@
+#include "editor/editor.h"
+
+#include "editor/menus.h"
+#include "editor/numbers_text.h"
+#include "editor/panels/console_panel.h"
+#include "editor/panels/environment_panel.h"
+#include "editor/panels/hierarchy_panel.h"
+#include "editor/panels/history_panel.h"
+#include "editor/panels/inspector_panel.h"
+#include "editor/panels/rendering_panel.h"
+#include "editor/panels/statistics_panel.h"
+#include "editor/panels/templates_panel.h"
+#include "editor/start_page.h"
+#include "editor/text.h"
+#include "editor/theme.h"
+#include "editor/ui_map.h"
+
+#include <imgui.h>
+
+namespace editor {
+namespace {
+
+constexpr double kQuietAfter = 0.5; // s without anything happening until the picture counts as at rest
+
+} // namespace
+
+Editor::Editor(renderer::Renderer& renderer, Host& host) : Editor{&renderer, host} {}
+
+Editor::Editor(Host& host) : Editor{nullptr, host} {}
+
+Editor::Editor(renderer::Renderer* renderer, Host& host) : m_renderer{renderer}, m_host{host}
+{
+    applyTheme();
+    addPanels();
+    m_actions = makeActions(*this);
+    restoreSettings();
+}
+
+Editor::~Editor()
+{
+    saveLayout();
+}
+
+void Editor::addPanels()
+{
+    const auto add = [this](std::unique_ptr<Panel> panel, Region home, bool shown = true) {
+        m_workspace.add(*panel, home, shown);
+        m_panels.push_back(std::move(panel));
+    };
+    m_workspace.setHomeSize(Region::Left, 260);
+    m_workspace.setHomeSize(Region::Right, 350);
+    m_workspace.setHomeSize(Region::Bottom, 230);
+    m_workspace.add(m_viewport, Region::Centre);
+    add(std::make_unique<HierarchyPanel>(), Region::Left);
+    add(std::make_unique<InspectorPanel>(), Region::Right);
+    add(std::make_unique<EnvironmentPanel>(), Region::Right);
+    add(std::make_unique<RenderingPanel>(), Region::Right);
+    add(std::make_unique<TemplatesPanel>(), Region::Bottom);
+    add(std::make_unique<ConsolePanel>(), Region::Bottom);
+    add(std::make_unique<StatisticsPanel>(), Region::Bottom);
+    add(std::make_unique<HistoryPanel>(), Region::Bottom);
+}
+
+void Editor::restoreSettings()
+{
+    m_savedSettings = m_host.settings();
+    if (const io::Value* layout = m_savedSettings.find("layout")) m_workspace.restore(*layout);
+}
+
+void Editor::saveLayout()
+{
+    io::Value settings = m_savedSettings;
+    settings["layout"] = toValue(m_workspace.layout());
+    if (settings == m_savedSettings) return;
+    m_savedSettings = settings;
+    m_host.saveSettings(settings);
+}
+
+bool Editor::open(const std::filesystem::path& project, std::string_view scene)
+{
+    auto opened = Document::open(project, scene);
+    if (!opened) {
+        io::log::error("{}", opened.error().text());
+        m_dialogs.showMessage(tr("message.cannot_open"), opened.error().text());
+        return false;
+    }
+    adopt(std::move(*opened));
+    m_host.addRecentProject(m_document->project().folder);
+    return true;
+}
+
+void Editor::adopt(std::unique_ptr<Document> document)
+{
+    m_editing.clear();
+    m_document = std::move(document);
+    m_selection = {};
+    m_viewport.reset();
+    m_viewport.lookFrom(*m_document);
+    chosenTemplate = io::TemplateId::None;
+    inspectTemplate = false;
+    int errors = 0;
+    for (const io::Complaint& complaint : m_document->complaints()) {
+        const bool grave = complaint.severity == io::Severity::Error;
+        errors += grave;
+        io::log::write(grave ? io::log::Level::Error : io::log::Level::Warning, complaint.where + ": " + complaint.what);
+    }
+    io::log::info("{}", trf("message.opened", m_document->project().name, grouped(m_document->scene().objects().size())));
+    if (errors) m_toasts.add(io::log::Level::Warning, trf("message.opened_with_errors", errors));
+}
+
+void Editor::closeProject()
+{
+    m_editing.clear();
+    m_viewport.reset();
+    m_selection = {};
+    m_document.reset();
+}
+
+bool Editor::save()
+{
+    if (!m_document) return false;
+    endEdit();
+    const auto report = m_document->save();
+    if (!report) {
+        io::log::error("{}", report.error().text());
+        m_dialogs.showMessage(tr("message.cannot_save"), report.error().text());
+        return false;
+    }
+    m_toasts.add(io::log::Level::Info, trf("message.saved", report->written.size(), byteText(report->bytes)));
+    return true;
+}
+
+bool Editor::saveAs(const std::filesystem::path& folder)
+{
+    if (!m_document) return false;
+    endEdit();
+    const auto report = m_document->saveAs(folder);
+    if (!report) {
+        io::log::error("{}", report.error().text());
+        m_dialogs.showMessage(tr("message.cannot_save"), report.error().text());
+        return false;
+    }
+    m_host.addRecentProject(m_document->project().folder);
+    m_toasts.add(io::log::Level::Info, trf("message.saved", report->written.size(), byteText(report->bytes)));
+    return true;
+}
+
+void Editor::revert()
+{
+    endEdit();
+    const io::Status done = m_document->reload();
+    if (!done) return m_dialogs.showMessage(tr("message.cannot_open"), done.error().text());
+    m_selection.clear();
+    m_toasts.add(io::log::Level::Info, tr("message.reverted"));
+}
+
+std::string Editor::title() const
+{
+    if (!m_document) return "Wold";
+    return fmt::format("{} – {}{} – Wold", m_document->project().name, m_document->world().entry.name,
+                       m_document->modified() ? " *" : "");
+}
+
+void Editor::requestClose()
+{
+    m_dialogs.askToSave(*this, [this] { m_wantsClose = true; });
+}
+
+void Editor::beginEdit(const std::string& what, std::string name)
+{
+    if (m_editing == what && m_document->inGesture()) return;
+    endEdit();
+    m_document->beginGesture(std::move(name));
+    m_editing = what;
+}
+
+void Editor::endEdit()
+{
+    if (!m_editing.empty() && m_document && m_document->inGesture()) m_document->endGesture();
+    m_editing.clear();
+}
+
+void Editor::step(const char* textKey, const std::function<void(Document&)>& change)
+{
+    endEdit();
+    const Gesture gesture{*m_document, tr(textKey)};
+    change(*m_document);
+}
+
+void Editor::follow()
+{
+    if (!m_document) return;
+    const io::Changes changes = m_document->takeChanges();
+    if (changes.none()) return;
+    m_quiet = 0;
+    m_selection.follow(m_document->scene(), changes);
+    m_picker.update(m_document->scene(), m_document->assets(), changes);
+    if (m_renderer) m_renderer->update(m_document->scene(), m_document->assets(), changes);
+    for (const std::unique_ptr<Panel>& panel : m_panels) panel->follow(*m_document, changes);
+}
+
+void Editor::frame(double seconds)
+{
+    m_time += seconds;
+    m_frameSeconds = seconds;
+    clearMap();
+    follow();
+    if (!m_viewport.flying()) m_actions.shortcuts();
+    drawWindow();
+    m_dialogs.draw(*this);
+    m_toasts.draw(seconds);
+    if (!ImGui::IsAnyItemActive()) endEdit();
+    noteActivity(seconds);
+}
+
+void Editor::drawWindow()
+{
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, display, palette::kBack);
+    menuBar(*this);
+    float top = ImGui::GetFrameHeight() + 6;
+    if (!m_document) return startPage(*this, {0, top}, display);
+    top = toolbar(*this, top);
+    const float bottom = statusBar(*this);
+    m_workspace.draw(*this, {0, top + 3}, {display.x, bottom - 3});
+}
+
+void Editor::noteActivity(double seconds)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    bool active = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || ImGui::IsAnyItemActive();
+    for (const bool down : io.MouseDown) active |= down;
+    for (const bool down : io.KeysDown) active |= down;
+    active |= m_viewport.busy() || !m_toasts.empty();
+    m_quiet = active ? 0 : m_quiet + seconds;
+}
+
+bool Editor::needsFrame() const
+{
+    const bool clouds = m_document && renderSettings.clouds && m_document->scene().environment().clouds.speed > 0;
+    return clouds || m_quiet < kQuietAfter;
+}
+
+} // namespace editor

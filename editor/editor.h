@@ -1,0 +1,109 @@
+// Editor: the whole content of the window, once a frame: menus, toolbar, panels, viewport, dialogs. It owns the open
+// document and everything a person does with it; who opens the window, feeds ImGuiIO and shows its draw data is the host.
+#pragma once
+
+#include "editor/actions.h"
+#include "editor/dialogs/dialogs.h"
+#include "editor/document.h"
+#include "editor/host.h"
+#include "editor/picker.h"
+#include "editor/selection.h"
+#include "editor/toasts.h"
+#include "editor/viewport.h"
+#include "editor/workspace.h"
+#include "renderer/renderer.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace editor {
+
+class Editor {
+public:
+    // Both need a current ImGui context whose fonts are loaded; without a renderer the viewport stays empty.
+    Editor(renderer::Renderer& renderer, Host& host);
+    explicit Editor(Host& host);
+    ~Editor();
+    Editor(const Editor&) = delete;
+    Editor& operator=(const Editor&) = delete;
+
+    // Between ImGui::NewFrame() and ImGui::Render(); fills the display. `seconds` have passed since the last one.
+    void frame(double seconds);
+
+    // Opens a project in place of the one that is open (asking about changes is the caller's). What cannot be opened
+    // is said in a dialog and in the log, and what was open stays open.
+    bool open(const std::filesystem::path& project, std::string_view scene = {});
+    void adopt(std::unique_ptr<Document> document);
+    void closeProject(); // back to the start page
+    bool save();
+    bool saveAs(const std::filesystem::path& folder);
+    void revert(); // to what is on disk
+
+    std::string title() const;            // "Valley – main * – Wold"
+    void requestClose();                  // as by the window's cross: asks when there are unsaved changes
+    bool wantsClose() const { return m_wantsClose; }
+    bool pointerHidden() const { return m_viewport.pointerHidden(); } // while looking around: hide and hold it
+    bool needsFrame() const;              // something moves or was just touched; otherwise the picture would be the same
+
+    Document* document() { return m_document.get(); } // null: the start page
+    const Document* document() const { return m_document.get(); }
+    Selection& selection() { return m_selection; }
+    Picker& picker() { return m_picker; }
+    Viewport& viewport() { return m_viewport; }
+    Workspace& workspace() { return m_workspace; }
+    Actions& actions() { return m_actions; }
+    Dialogs& dialogs() { return m_dialogs; }
+    Toasts& toasts() { return m_toasts; }
+    Host& host() { return m_host; }
+    renderer::Renderer* renderer() { return m_renderer; }
+
+    renderer::Settings renderSettings;
+    renderer::Show show = renderer::Show::Final;
+
+    // Opens an undo step that lasts until the widget in use is let go; `what` tells one widget from another.
+    void beginEdit(const std::string& what, std::string name);
+    // Runs something that is one undo step of this name.
+    void step(const char* textKey, const std::function<void(Document&)>& change);
+    void follow(); // hands what changed to selection, picker, renderer
+
+    // The template chosen in the Templates panel, shown by the Inspector while `inspectTemplate`.
+    io::TemplateId chosenTemplate = io::TemplateId::None;
+    bool inspectTemplate = false;
+
+    double time() const { return m_time; } // s of frames so far
+    double frameSeconds() const { return m_frameSeconds; }
+
+    void saveLayout();
+
+private:
+    Editor(renderer::Renderer* renderer, Host& host);
+    void addPanels();
+    void restoreSettings();
+    void drawWindow();
+    void endEdit();
+    void noteActivity(double seconds);
+
+    renderer::Renderer* m_renderer;
+    Host& m_host;
+    std::unique_ptr<Document> m_document;
+    Selection m_selection;
+    Picker m_picker;
+    Viewport m_viewport;
+    Workspace m_workspace;
+    std::vector<std::unique_ptr<Panel>> m_panels;
+    Actions m_actions;
+    Dialogs m_dialogs;
+    Toasts m_toasts;
+    io::Value m_savedSettings;
+    std::string m_editing;
+    double m_time = 0;
+    double m_frameSeconds = 0;
+    double m_quiet = 0; // s since anything happened
+    bool m_wantsClose = false;
+};
+
+} // namespace editor

@@ -1,0 +1,205 @@
+#include "editor/field_ui.h"
+
+#include "editor/search_text.h"
+#include "editor/text.h"
+#include "editor/widgets.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+namespace editor {
+namespace {
+
+constexpr float kResetWidth = 22; // pixels kept free at the end of a row
+
+std::string shownUnit(std::string_view unit)
+{
+    if (unit == "deg") return "°";
+    if (unit == "1e-6/m") return "10⁻⁶/m";
+    if (unit == "texels") return tr("unit.texels");
+    return std::string{unit};
+}
+
+int decimalsFor(const io::Hint& hint, bool whole)
+{
+    const double range = hint.max - hint.min;
+    if (whole) return 0;
+    return range <= 2 ? 3 : range <= 50 || range > ui::kOpenRange ? 2 : 1;
+}
+
+double speedFor(const io::Hint& hint, bool whole, double value)
+{
+    if (hint.max - hint.min <= ui::kOpenRange) return whole && hint.max - hint.min < 100 ? 0.04 : 0;
+    if (std::string_view{hint.unit} == "deg") return 0.5;
+    if (std::string_view{hint.unit} == "m") return 0.05;
+    return std::max(0.005, std::abs(value) * 0.005); // a factor
+}
+
+std::string clockText(double hours)
+{
+    const int minutes = int(std::lround(hours * 60)) % (24 * 60);
+    return fmt::format("{}:{:02}", minutes / 60, minutes % 60);
+}
+
+} // namespace
+
+struct FieldUi::Row {
+    std::string key, label; // dotted, with the prefix; translated
+    std::size_t place = 0;
+    int count = 1;
+    bool differs = false; // from the default
+    bool enabled = true;
+};
+
+bool FieldUi::beginSection(const char* key)
+{
+    const std::string id = m_options.prefix + m_path + key;
+    if (m_options.filter.empty() && !ui::section(id.c_str(), tr("section." + id))) return false;
+    m_path += std::string{key} + ".";
+    if (m_options.before) m_options.before(m_path);
+    return true;
+}
+
+void FieldUi::endSection()
+{
+    m_path.pop_back();
+    const std::size_t dot = m_path.rfind('.');
+    m_path.erase(dot == std::string::npos ? 0 : dot + 1);
+    if (m_options.filter.empty()) ImGui::Dummy({0, 4});
+}
+
+bool FieldUi::beginRow(Row& row, const char* key, int count, std::string_view unit)
+{
+    row.key = m_options.prefix + m_path + key;
+    row.label = tr("field." + row.key);
+    row.place = m_place;
+    row.count = count;
+    m_place += std::size_t(count);
+    if (!holds(row.label, m_options.filter)) return false;
+    row.enabled = !m_options.enabled || m_options.enabled(row.key);
+    if (!row.enabled) ImGui::BeginDisabled();
+    ImGui::PushID(row.key.c_str());
+    ui::propertyLabel(row.label, unit);
+    const std::string hint = "hint." + row.key;
+    if (ImGui::IsItemHovered() && hasText(hint)) ui::tooltip(tr(hint));
+    return true;
+}
+
+void FieldUi::endRow(const Row& row)
+{
+    ImGui::PopID();
+    if (!row.enabled) ImGui::EndDisabled();
+}
+
+// The arrow at the end of a row whose value is not the default.
+bool FieldUi::resetButton(const Row& row)
+{
+    if (m_options.defaults.empty() || !row.differs || !row.enabled) return false;
+    ImGui::SameLine(0, 3);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 3);
+    return ui::iconButton({.id = "reset", .icon = Icon::Reset, .label = trf("common.reset_field", row.label), .size = 19,
+                           .colour = palette::kSoftText});
+}
+
+void FieldUi::note(const Row& row, std::size_t place, Scalar value, double delta, bool relative)
+{
+    m_changes.push_back({place, std::move(value), delta, relative});
+    m_changedKey = row.key;
+    m_changedLabel = row.label;
+}
+
+bool FieldUi::choice(const char* key, const std::vector<std::string_view>& names, int& chosen)
+{
+    Row row;
+    if (!beginRow(row, key, 1)) return false;
+    row.differs = !m_options.defaults.empty() && m_options.defaults[row.place] != Scalar{double(chosen)};
+    std::vector<std::string> items;
+    for (const std::string_view name : names) items.emplace_back(tr("value." + std::string{name}));
+    if (!m_options.defaults.empty()) ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - kResetWidth);
+    bool changed = ui::combo("##value", row.label, items, chosen, isMixed(row.place));
+    if (resetButton(row)) chosen = int(std::get<double>(m_options.defaults[row.place])), changed = true;
+    if (changed) note(row, row.place, double(chosen));
+    endRow(row);
+    return changed;
+}
+
+bool FieldUi::toggle(const char* key, bool& value)
+{
+    Row row;
+    if (!beginRow(row, key, 1)) return false;
+    row.differs = !m_options.defaults.empty() && m_options.defaults[row.place] != Scalar{value};
+    bool changed = ui::checkbox("##value", isMixed(row.place) ? tr("common.mixed") : "", value, row.label);
+    if (row.differs) {
+        ImGui::SameLine(0, 0);
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - kResetWidth);
+    }
+    if (resetButton(row)) value = std::get<bool>(m_options.defaults[row.place]), changed = true;
+    if (changed) note(row, row.place, value);
+    endRow(row);
+    return changed;
+}
+
+bool FieldUi::text(const char* key, std::string& value)
+{
+    Row row;
+    if (!beginRow(row, key, 1)) return false;
+    ImGui::SetNextItemWidth(-1);
+    const bool changed = ui::textField("##value", isMixed(row.place) ? tr("common.mixed") : "", value);
+    if (changed) note(row, row.place, value);
+    endRow(row);
+    return changed;
+}
+
+bool FieldUi::numbers(const char* key, double* values, int count, const io::Hint& hint, bool whole)
+{
+    Row row;
+    const std::string unit = shownUnit(hint.unit);
+    if (!beginRow(row, key, count, count > 1 ? unit : "")) return false;
+    const bool resets = !m_options.defaults.empty();
+    for (int i = 0; i < count && resets; ++i)
+        row.differs |= m_options.defaults[row.place + std::size_t(i)] != Scalar{values[i]};
+    const float room = ImGui::GetContentRegionAvail().x - (resets ? kResetWidth : 0);
+    bool changed = false;
+
+    if (hint.style == io::Style::Colour && count == 3) {
+        float rgb[3] = {float(values[0]), float(values[1]), float(values[2])};
+        ImGui::PushItemWidth(room);
+        changed = ui::colourField("value", row.label, rgb, float(hint.max), isMixed(row.place), room);
+        ImGui::PopItemWidth();
+        for (int i = 0; i < 3 && changed; ++i) note(row, row.place + std::size_t(i), double(values[i] = rgb[i]));
+    } else {
+        constexpr float kBetween = 4;
+        const float width = std::floor((room - kBetween * float(count - 1)) / float(count));
+        for (int i = 0; i < count; ++i) {
+            if (i > 0) ImGui::SameLine(0, kBetween);
+            ImGui::PushID(i);
+            const std::size_t place = row.place + std::size_t(i);
+            const double old = values[i];
+            const std::string label = count == 1 ? row.label : row.label + " " + std::string(1, "XYZW"[i]);
+            if (ui::number({.id = "##value", .label = label, .min = hint.min, .max = hint.max,
+                            .speed = speedFor(hint, whole, old), .decimals = decimalsFor(hint, whole),
+                            .unit = count == 1 ? unit : "", .logarithmic = hint.style == io::Style::Logarithmic,
+                            .mixed = isMixed(place), .axis = count == 3 ? i : -1, .width = width,
+                            .shown = std::string_view{hint.unit} == "h" ? clockText(old) : ""},
+                           values[i])) {
+                if (whole) values[i] = std::round(values[i]);
+                note(row, place, values[i], values[i] - old, ImGui::IsMouseDown(ImGuiMouseButton_Left));
+                changed = true;
+            }
+            ImGui::PopID();
+        }
+    }
+    if (resetButton(row)) {
+        for (int i = 0; i < count; ++i) {
+            values[i] = std::get<double>(m_options.defaults[row.place + std::size_t(i)]);
+            note(row, row.place + std::size_t(i), values[i]);
+        }
+        changed = true;
+    }
+    endRow(row);
+    return changed;
+}
+
+} // namespace editor

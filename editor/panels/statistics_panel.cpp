@@ -1,0 +1,126 @@
+#include "editor/panels/statistics_panel.h"
+
+#include "editor/editor.h"
+#include "editor/numbers_text.h"
+#include "editor/text.h"
+#include "editor/widgets.h"
+
+#include <algorithm>
+
+namespace editor {
+namespace {
+
+void figure(const char* key, const std::string& value)
+{
+    constexpr float kWidth = 118, kHeight = 50;
+    const ImVec2 min = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({kWidth, kHeight});
+    mapItem("figure", tr(key), value);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(min, {min.x + kWidth, min.y + kHeight}, palette::kRaised, 4);
+    draw.AddText(boldFont(), 17, {min.x + 10, min.y + 7}, palette::kText, value.c_str());
+    draw.AddText(ImGui::GetFont(), 12.5f, {min.x + 10, min.y + 29}, palette::kSoftText, ui::fitted(tr(key), kWidth - 8).c_str());
+}
+
+void nextFigure() // on the same line where it fits
+{
+    if (ImGui::GetItemRectMax().x + 8 + 118 < ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) ImGui::SameLine(0, 8);
+}
+
+void timeCell(double ms, double longest, ImU32 colour)
+{
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float share = longest > 0 ? float(std::min(1.0, ms / longest)) : 0;
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x + 58, at.y + 4}, {at.x + 58 + std::max(0.f, width - 62) * share, at.y + 14}, colour, 2);
+    ImGui::TextUnformatted(fmt::format("{:.2f}", ms).c_str());
+}
+
+} // namespace
+
+void StatisticsPanel::draw(Editor& editor)
+{
+    note(editor.frameSeconds());
+    figures(editor);
+    if (!editor.renderer()) return;
+    for (const renderer::ShaderFault& fault : editor.renderer()->shaderFaults())
+        ui::iconText(Icon::Error, palette::kRed, fault.where + ": " + fault.what);
+    ImGui::Dummy({0, 2});
+    graph();
+    passes(editor);
+}
+
+void StatisticsPanel::note(double seconds)
+{
+    m_frames[m_next++ % m_frames.size()] = float(seconds * 1000);
+    const std::size_t count = std::min(m_next, m_frames.size());
+    float sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += m_frames[i];
+    m_average = sum / float(count);
+}
+
+void StatisticsPanel::figures(Editor& editor)
+{
+    figure("statistics.fps", m_average > 0 ? fmt::format("{:.0f}", 1000 / m_average) : "–");
+    nextFigure();
+    figure("statistics.frame", fmt::format("{:.1f} ms", m_average));
+    if (editor.renderer()) {
+        const renderer::FrameStats& stats = editor.renderer()->stats();
+        const std::pair<const char*, std::string> all[] = {
+            {"statistics.draws", grouped(stats.drawCalls)},
+            {"statistics.triangles", grouped(stats.trianglesDrawn)},
+            {"statistics.submitted", grouped(stats.trianglesSubmitted)},
+            {"statistics.instances", grouped(stats.instances)},
+            {"statistics.instances_drawn", grouped(stats.instancesDrawn)},
+            {"statistics.gpu_memory", byteText(stats.gpuBytes)}};
+        for (const auto& [key, value] : all) nextFigure(), figure(key, value);
+    }
+    if (!editor.document()) return;
+    nextFigure();
+    figure("statistics.undo_memory", byteText(editor.document()->history().bytes()));
+}
+
+void StatisticsPanel::graph() const
+{
+    constexpr float kHeight = 46;
+    const ImVec2 min = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::Dummy({width, kHeight});
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled(min, {min.x + width, min.y + kHeight}, palette::kField, 4);
+    const float highest = std::max(20.f, *std::max_element(m_frames.begin(), m_frames.end()) * 1.1f);
+    const float at60 = min.y + kHeight * (1 - 16.67f / highest);
+    draw.AddLine({min.x, at60}, {min.x + width, at60}, IM_COL32(255, 255, 255, 24));
+    const auto count = float(m_frames.size());
+    for (std::size_t i = 0; i < m_frames.size(); ++i) {
+        const float ms = m_frames[(m_next + i) % m_frames.size()];
+        const float x = min.x + width * float(i) / count;
+        draw.AddRectFilled({x, min.y + kHeight * (1 - ms / highest)}, {x + width / count - 1, min.y + kHeight},
+                           ms > 33.4f ? palette::kAmber : palette::kAccent);
+    }
+}
+
+void StatisticsPanel::passes(Editor& editor) const
+{
+    const std::vector<renderer::PassTime>& passes = editor.renderer()->stats().passes;
+    if (passes.empty() || !ImGui::BeginTable("##passes", 3, ImGuiTableFlags_RowBg)) return;
+    double longest = 0;
+    for (const renderer::PassTime& pass : passes) longest = std::max({longest, pass.cpuMs, pass.gpuMs});
+    ImGui::TableSetupColumn(tr("statistics.pass"), 0, 1.2f);
+    ImGui::TableSetupColumn(tr("statistics.cpu"), 0, 1);
+    ImGui::TableSetupColumn(tr("statistics.gpu"), 0, 1);
+    ImGui::TableHeadersRow();
+    for (const renderer::PassTime& pass : passes) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(pass.name.c_str());
+        mapItem("pass", pass.name, io::Value::Array{pass.cpuMs, pass.gpuMs});
+        ImGui::TableNextColumn();
+        timeCell(pass.cpuMs, longest, withAlpha(palette::kBlue, 0.7f));
+        ImGui::TableNextColumn();
+        timeCell(pass.gpuMs, longest, withAlpha(palette::kAccent, 0.7f));
+    }
+    ImGui::EndTable();
+}
+
+} // namespace editor

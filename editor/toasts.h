@@ -1,0 +1,26 @@
+// Toasts: short messages in a corner of the window that go by themselves. They stand in the log too.
+#pragma once
+
+#include "io/base/log.h"
+
+#include <string>
+#include <vector>
+
+namespace editor {
+
+class Toasts {
+public:
+    void add(io::log::Level level, std::string text);
+    void draw(double seconds); // over everything, bottom right
+    bool empty() const { return m_toasts.empty(); }
+
+private:
+    struct Toast {
+        io::log::Level level;
+        std::string text;
+        double left; // s
+    };
+    std::vector<Toast> m_toasts;
+};
+
+} // namespace editor

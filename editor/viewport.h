@@ -1,0 +1,108 @@
+// Viewport: the panel in the middle, through which a person looks at the world, flies, picks, drags the gizmo and
+// places things.
+#pragma once
+
+#include "editor/fly_camera.h"
+#include "editor/gizmo.h"
+#include "editor/panel.h"
+#include "editor/picker.h"
+#include "editor/selection.h"
+#include "renderer/renderer.h"
+
+#include <imgui.h>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace editor {
+
+class Document;
+
+class Viewport final : public Panel {
+public:
+    Viewport() : Panel{"viewport", Icon::Frame} {}
+    void draw(Editor& editor) override;
+    bool padded() const override { return false; }
+
+    FlyCamera camera;
+    Gizmo gizmo;
+    bool gizmoShown = true; // false: the plain selecting tool
+    bool snapping = false;  // Ctrl turns it round while dragging
+    bool showOverlays = true;
+
+    View view() const { return {camera.camera(), m_size}; }
+    void lookFrom(const Document& document); // the first camera that the scene names, or all of it framed
+    void frameSelection(Editor& editor);     // of everything when nothing is selected
+
+    void beginPlacing(io::TemplateId id);
+    void stopPlacing();
+    io::TemplateId placing() const { return m_placing; }
+    void placeAtCamera(Editor& editor, io::TemplateId id);
+    std::optional<glm::dvec3> pointUnderPointer(Editor& editor) const; // of the last frame; where a paste goes
+
+    bool pointerHidden() const { return m_drag == Drag::Look; }
+    bool flying() const { return m_drag == Drag::Look; }
+    bool busy() const; // something moves, or is being dragged
+    void reset();      // another document
+
+private:
+    enum class Drag { None, Look, Orbit, Pan, Click, Box, Gizmo, Place };
+
+    void drawPicture(Editor& editor);
+    void input(Editor& editor, double seconds);
+    void press(Editor& editor);
+    void pressLeft(Editor& editor);
+    void hold(Editor& editor, double seconds);
+    void release(Editor& editor);
+    void wheel(Editor& editor);
+    void focusUnderPointer(Editor& editor);
+    void updateHover(Editor& editor);
+
+    void click(Editor& editor);
+    void selectBox(Editor& editor);
+    bool beginGizmo(Editor& editor);
+    void dragGizmo(Editor& editor);
+    void endGizmo(Editor& editor, bool keep);
+    std::vector<io::ObjectId> gizmoIds(Editor& editor) const;
+    std::vector<io::Transform> gizmoTransforms(Editor& editor) const;
+    void contextMenu(Editor& editor);
+
+    void updateGhost(Editor& editor);
+    void placeGhost(Editor& editor);
+    void takeDrop(Editor& editor);
+
+    renderer::FrameInput frameInput(Editor& editor);
+    void refreshSelectionShown(Editor& editor);
+    void overlays(Editor& editor);
+    void drawGizmo(Editor& editor) const;
+    void drawBox() const;
+    void drawCompass() const;
+    void drawHints(Editor& editor) const;
+    void drawFaults(Editor& editor) const;
+
+    glm::dvec2 pointer() const; // pixels from the viewport's top left
+    bool clickDistance() const; // the pointer has moved since the press
+
+    ImVec2 m_min{0, 0};
+    glm::ivec2 m_size{1, 1};
+    bool m_hovered = false;
+    Drag m_drag = Drag::None;
+    glm::dvec2 m_pressed{0};
+    ClickCycle m_cycle;
+    std::vector<io::ObjectId> m_dragIds;
+
+    io::TemplateId m_placing = io::TemplateId::None;
+    io::TemplateId m_dropping = io::TemplateId::None; // dragged in from the Templates panel
+    std::optional<renderer::Ghost> m_ghost;
+    std::optional<PickHit> m_anchor; // where the button went down while placing
+    float m_anchorYaw = 0;
+    std::optional<float> m_yaw;
+    std::uint64_t m_seed = 1;
+
+    std::vector<io::ObjectId> m_tinted; // the selection with the members of its groups
+    std::vector<renderer::Line> m_lines;
+    std::uint64_t m_shownRevision = 0, m_shownSelection = 0;
+    double m_speedShown = 0; // s left
+};
+
+} // namespace editor

@@ -1,0 +1,112 @@
+// What the left button does in the viewport: click, box, gizmo.
+#include "editor/editor.h"
+#include "editor/text.h"
+#include "editor/undo_names.h"
+#include "editor/viewport.h"
+#include "editor/widgets.h"
+
+#include <algorithm>
+
+namespace editor {
+namespace {
+
+const char* dragName(GizmoMode mode)
+{
+    return mode == GizmoMode::Translate ? "undo.move" : mode == GizmoMode::Rotate ? "undo.rotate" : "undo.scale";
+}
+
+} // namespace
+
+void Viewport::click(Editor& editor)
+{
+    const std::vector<PickHit> hits = editor.picker().pickAll(rayThrough(view(), pointer()));
+    const PickHit hit = m_cycle.next(hits, pointer());
+    Selection& selection = editor.selection();
+    editor.inspectTemplate = false;
+    if (hit.surface != Surface::Object) {
+        if (!ImGui::GetIO().KeyCtrl && !ImGui::GetIO().KeyShift) selection.clear();
+        return;
+    }
+    const std::vector<io::ObjectId> ids = wholeGroups(editor.document()->hierarchy(), {&hit.id, 1});
+    const ImGuiIO& io = ImGui::GetIO();
+    selection.apply(io.KeyCtrl ? SelectMode::Toggle : io.KeyShift ? SelectMode::Add : SelectMode::Set, ids);
+}
+
+void Viewport::selectBox(Editor& editor)
+{
+    const PixelRect rect{m_pressed, glm::clamp(pointer(), glm::dvec2{0}, glm::dvec2{m_size})};
+    const glm::ivec2 from = glm::max(glm::ivec2{glm::min(rect.from, rect.to)}, glm::ivec2{0});
+    const glm::ivec2 to = glm::min(glm::ivec2{glm::ceil(glm::max(rect.from, rect.to))}, m_size);
+    std::vector<io::ObjectId> ids;
+    if (editor.renderer() && from.x < to.x && from.y < to.y) {
+        const std::vector<std::uint32_t> seen = editor.renderer()->readIds(from, to - from);
+        ids = editor.picker().pickBox(view(), rect, std::span<const std::uint32_t>{seen});
+    } else {
+        ids = editor.picker().pickBox(view(), rect);
+    }
+    editor.inspectTemplate = false;
+    const ImGuiIO& io = ImGui::GetIO();
+    editor.selection().apply(io.KeyCtrl ? SelectMode::Remove : io.KeyShift ? SelectMode::Add : SelectMode::Set,
+                             wholeGroups(editor.document()->hierarchy(), ids));
+}
+
+// Everything that a drag moves: groups with their members, the primary last.
+std::vector<io::ObjectId> Viewport::gizmoIds(Editor& editor) const
+{
+    const Hierarchy& hierarchy = editor.document()->hierarchy();
+    std::vector<io::ObjectId> ids = hierarchy.withMembers(editor.selection().ids());
+    const auto primary = std::find(ids.begin(), ids.end(), editor.selection().primary());
+    if (primary != ids.end()) std::rotate(primary, primary + 1, ids.end());
+    return ids;
+}
+
+std::vector<io::Transform> Viewport::gizmoTransforms(Editor& editor) const
+{
+    std::vector<io::Transform> transforms;
+    for (const io::ObjectId id : gizmoIds(editor))
+        if (const io::Object* object = editor.document()->scene().find(id)) transforms.push_back(object->transform);
+    return transforms;
+}
+
+bool Viewport::beginGizmo(Editor& editor)
+{
+    if (!gizmoShown || gizmo.hovered() == GizmoHandle::None) return false;
+    m_dragIds = gizmoIds(editor);
+    if (!gizmo.begin(view(), gizmo.hovered(), pointer(), gizmoTransforms(editor))) return false;
+    editor.document()->beginGesture(stepName(dragName(gizmo.mode), editor.selection().size()));
+    return true;
+}
+
+void Viewport::dragGizmo(Editor& editor)
+{
+    const std::vector<io::Transform> transforms = gizmo.update(view(), pointer(), ImGui::GetIO().KeyCtrl != snapping);
+    std::size_t next = 0;
+    if (transforms.size() != m_dragIds.size()) return; // something vanished meanwhile
+    edit(*editor.document(), tr(dragName(gizmo.mode)), m_dragIds,
+         [&](io::Object& object) { object.transform = transforms[next++]; });
+}
+
+void Viewport::endGizmo(Editor& editor, bool keep)
+{
+    gizmo.end();
+    if (keep) editor.document()->endGesture();
+    else editor.document()->cancelGesture();
+}
+
+void Viewport::contextMenu(Editor& editor)
+{
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{8, 8});
+    if (ImGui::BeginPopup("##context")) {
+        const MapPanel map{"popup"};
+        const Actions& actions = editor.actions();
+        for (const char* id : {"cut", "copy", "paste", "duplicate", "delete"}) actions.menuItem(id);
+        ImGui::Separator();
+        for (const char* id : {"group", "ungroup", "drop", "select_same"}) actions.menuItem(id);
+        ImGui::Separator();
+        for (const char* id : {"frame", "place_camera"}) actions.menuItem(id);
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar();
+}
+
+} // namespace editor
