@@ -78,8 +78,8 @@ public:
 private:
     std::optional<Primitive> read(const tinygltf::Primitive& source, const std::string& place)
     {
-        const int mode = source.mode < 0 ? TINYGLTF_MODE_TRIANGLES : source.mode;
-        if (mode > TINYGLTF_MODE_TRIANGLE_FAN || source.mode < -1) throw Refused{place + ".mode: " + std::to_string(mode) + " is unknown"};
+        const int mode = source.mode;
+        if (mode < 0 || mode > TINYGLTF_MODE_TRIANGLE_FAN) throw Refused{place + ".mode: " + std::to_string(mode) + " is unknown"};
         if (!source.attributes.contains("POSITION")) {
             m_notes.warn(place + ": has no positions; left out");
             return std::nullopt;

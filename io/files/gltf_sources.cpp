@@ -4,6 +4,7 @@
 #include "io/files/atomic_file.h"
 #include "io/files/image_file.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace io::gltf {
@@ -43,7 +44,9 @@ Result<std::string> decodedBase64(std::string_view text)
 
 std::string shortened(const std::string& uri)
 {
-    return uri.size() <= 80 ? uri : uri.substr(0, 77) + "...";
+    std::string shown = uri.size() <= 80 ? uri : uri.substr(0, 77) + "...";
+    std::replace_if(shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
+    return shown;
 }
 
 bool hasScheme(std::string_view uri)

@@ -58,14 +58,17 @@ Chunks splitGlb(std::string_view bytes)
     return chunks;
 }
 
-// Copies of a repaired text keep it parseable where a name was written in another encoding.
 Value parse(std::string_view json, Notes& notes)
 {
     if (json.size() > kLargestJson) throw Refused{"its JSON is over 64 MiB"};
     if (json.find('\0') != std::string_view::npos) throw Refused{"not glTF: the text holds a zero byte"};
     const std::string repaired = repairedUtf8(json);
     if (repaired != json) notes.warn("names that are not UTF-8 were mended");
-    Result<Value> value = parseJson(repaired, "JSON", Duplicates::KeepLast);
+    Result<Value> value = parseJson(repaired, "JSON");
+    if (!value) {
+        value = parseJson(repaired, "JSON", Duplicates::KeepFirst);
+        if (value) notes.warn("a key appears twice; the first is taken");
+    }
     if (!value) throw Refused{value.error().text()};
     if (!value->asObject()) throw Refused{"not glTF: the file must hold one JSON object"};
     return std::move(*value);
@@ -92,6 +95,20 @@ void checkExtensions(const Value& json)
         missing += (missing.empty() ? "" : ", ") + *name.asString();
     }
     if (!missing.empty()) throw Refused{"needs " + missing + ", which Wold does not support; export it without"};
+}
+
+// Some writers compress without saying that it is required, and leave accessors without data.
+void checkCompression(const Value& json)
+{
+    const Value* used = json.find("extensionsUsed");
+    const Value* accessors = json.find("accessors");
+    if (!used || !used->asArray() || !accessors || !accessors->asArray()) return;
+    const bool empty = std::any_of(accessors->asArray()->begin(), accessors->asArray()->end(), [](const Value& accessor) {
+        return !accessor.find("bufferView") && !accessor.find("sparse");
+    });
+    for (const Value& name : *used->asArray())
+        if (empty && name == Value{"KHR_draco_mesh_compression"})
+            throw Refused{"needs KHR_draco_mesh_compression, which Wold does not support; export it without"};
 }
 
 // Sizes and places that are no whole numbers, negative or huge would wrap when they are made into integers.
@@ -143,6 +160,7 @@ Text readText(std::string_view bytes, Notes& notes)
     Text text{parse(chunks.json, notes), chunks.binary};
     checkVersion(text.json);
     checkExtensions(text.json);
+    checkCompression(text.json);
     for (const char* list : {"accessors", "bufferViews", "buffers"})
         checkList(text.json, list, kMostOthers, true);
     for (const char* list : {"meshes", "materials", "textures", "images", "samplers", "scenes"})

@@ -125,9 +125,8 @@ private:
     }
     void putMember(Value::Object& object, std::string key, Value value)
     {
-        if (m_open.back().keys.size() == object.size()) // the key was there before
-            std::erase_if(object, [&](const Value::Member& member) { return member.first == key; });
-        object.emplace_back(std::move(key), std::move(value));
+        const bool again = m_open.back().keys.size() == object.size();
+        if (!again) object.emplace_back(std::move(key), std::move(value));
     }
 
     const int& m_line;

@@ -9,7 +9,7 @@
 
 namespace io {
 
-enum class Duplicates { Refuse, KeepLast }; // of a key in one object
+enum class Duplicates { Refuse, KeepFirst }; // of a key in one object
 
 // `where` names the text in errors, which read WHERE:LINE: what is wrong. Nesting over 64 is refused.
 Result<Value> parseJson(std::string_view text, const std::string& where, Duplicates duplicates = Duplicates::Refuse);

@@ -152,7 +152,7 @@ public:
     {
         if (m_found || !m_path.starts_with(key)) return;
         const std::string_view rest = m_path.substr(key.size());
-        if (!rest.empty() && rest.front() != '.') return;
+        if (!rest.empty() && (rest.front() != '.' || rest.size() == 1)) return;
         m_found = seek(value, rest.empty() ? rest : rest.substr(1), hint);
     }
 
