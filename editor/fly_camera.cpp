@@ -60,7 +60,10 @@ void FlyCamera::fly(const glm::dvec3& keys, bool fast, double seconds)
     const double left = std::exp(-seconds / kResponse);
     m_camera.eye += wanted * seconds + (m_velocity - wanted) * (kResponse * (1 - left));
     m_velocity = wanted + (m_velocity - wanted) * left;
-    if (wanted == glm::dvec3{0} && glm::length(m_velocity) < 1e-3 * m_speed) m_velocity = glm::dvec3{0};
+    if (wanted == glm::dvec3{0} && glm::length(m_velocity) < 1e-3 * m_speed) {
+        m_camera.eye += m_velocity * kResponse; // all the way that is left
+        m_velocity = glm::dvec3{0};
+    }
     settle();
 }
 

@@ -51,9 +51,8 @@ void History::setBudget(std::size_t bytes)
     // The newest step stays whatever it costs: an edit that cannot be undone at once would be a trap.
     while (m_bytes > m_budget && m_position > 1)
         dropOldest();
-    if (m_dropped > before)
-        io::log::warning("Undo: the memory budget of {} MB is full; the {} oldest steps can no longer be undone",
-                         m_budget >> 20, m_dropped - before);
+    if (m_dropped > 0 && before == 0) // once is enough: from here on every step costs an old one
+        io::log::warning("Undo: the memory budget of {} MB is full; the oldest steps can no longer be undone", m_budget >> 20);
 }
 
 void History::dropOldest()

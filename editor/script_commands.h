@@ -1,0 +1,30 @@
+// The script's commands by name. Each reads its arguments, calls finish(), and only then acts.
+#pragma once
+
+#include "editor/arguments.h"
+#include "editor/script.h"
+
+#include <span>
+
+namespace editor {
+
+// The members of the answer, or why the command was refused.
+struct Answer : io::Result<io::Value> {
+    using io::Result<io::Value>::Result;
+    Answer(io::Value::Object members) : io::Result<io::Value>{io::Value{std::move(members)}} {}
+    Answer(io::Result<io::Value> result) : io::Result<io::Value>{std::move(result)} {}
+};
+
+struct ScriptCommand {
+    std::string_view name;
+    Answer (*run)(Script& script, Arguments& arguments);
+};
+
+std::span<const ScriptCommand> placeCommands();     // place scatter duplicate delete group ungroup drop align
+std::span<const ScriptCommand> transformCommands(); // move rotate scale rename assign
+std::span<const ScriptCommand> documentCommands();  // select set get undo redo save save_as reload view render …
+std::span<const ScriptCommand> queryCommands();     // objects object selection height pick stats history
+
+io::Value describe(const PickHit& hit, const io::Scene& scene);
+
+} // namespace editor
