@@ -1,0 +1,211 @@
+// wold edit: the editor in a window, or, with --replay, the same editor fed from a file and drawn into pictures.
+#include "app/commands/commands.h"
+#include "app/imgui_host.h"
+#include "app/opened.h"
+#include "app/player.h"
+#include "app/recorder.h"
+#include "app/report.h"
+#include "app/studio.h"
+#include "app/views/edit_view.h"
+#include "app/window.h"
+#include "editor/ui_map.h"
+#include "io/files/atomic_file.h"
+#include "io/files/image_file.h"
+#include "io/files/json.h"
+#include "renderer/canvas.h"
+
+#include <chrono>
+
+namespace app {
+namespace {
+
+constexpr double kStep = 1.0 / 60;        // s, of a replayed frame
+constexpr double kLongestFrame = 0.25;    // s; a hitch does not fling the camera
+constexpr double kIdle = 0.5;             // s between frames when nothing happens: a text cursor's blink
+constexpr int kSettle = 3;                // frames after a replay, so that its last event is seen
+
+Settings settingsFor(const Options& options)
+{
+    if (!options.config.empty()) return Settings::load(options.config);
+    // A replay is the same on every machine: it knows nothing of the person.
+    return options.replay.empty() ? Settings::load(Settings::defaultFile()) : Settings{};
+}
+
+// ---- the replay
+
+class Stage {
+public:
+    Stage(const Options& options, EditView& view, ImguiHost& host)
+        : m_options{options}, m_view{view}, m_host{host}, m_canvas{std::make_unique<renderer::Canvas>(options.size)}
+    {
+    }
+
+    void draw()
+    {
+        m_view.run(kStep);
+        m_host.begin(m_canvas->size(), kStep);
+        m_view.runImGui();
+        m_canvas->begin();
+        m_host.end();
+    }
+
+    Player::Stage hooks()
+    {
+        return {.shot = [this](const std::filesystem::path& file) { return shot(file.empty() ? nextShot() : file); },
+                .uiMap = [](const std::filesystem::path& file) { return writeMap(file); },
+                .resize = [this](glm::ivec2 size) { m_canvas = std::make_unique<renderer::Canvas>(size); }};
+    }
+
+    // The pictures and the map that the command line asks for and no event has taken.
+    io::Status finish()
+    {
+        while (m_shots < m_options.shots.size())
+            if (io::Status taken = shot(nextShot()); !taken) return taken;
+        return m_options.uiMap.empty() ? io::Status{} : writeMap(m_options.uiMap);
+    }
+
+private:
+    std::filesystem::path nextShot()
+    {
+        return m_shots < m_options.shots.size() ? m_options.shots[m_shots++] : std::filesystem::path{};
+    }
+    io::Status shot(const std::filesystem::path& file)
+    {
+        if (file.empty()) return io::Error{"", "more shots than --shot names files"};
+        return io::writeImage(file, m_canvas->read());
+    }
+    static io::Status writeMap(const std::filesystem::path& file)
+    {
+        return io::writeFile(file, io::writeJson(editor::uiMap(), 1) + "\n");
+    }
+
+    const Options& m_options;
+    EditView& m_view;
+    ImguiHost& m_host;
+    std::unique_ptr<renderer::Canvas> m_canvas;
+    std::size_t m_shots = 0;
+};
+
+io::Status play(const Options& options, std::vector<Step> steps, EditView& view, ImguiHost& host)
+{
+    Stage stage{options, view, host};
+    Player player{std::move(steps), options.replay.string(), stage.hooks()};
+    stage.draw(); // widgets have a place only once they were drawn
+    for (;;) {
+        const auto more = player.feed(ImGui::GetIO());
+        if (!more) return more.error();
+        if (!*more || view.editor().wantsClose()) break;
+        stage.draw();
+    }
+    for (int i = 0; i < kSettle && !view.editor().wantsClose(); ++i)
+        stage.draw();
+    return stage.finish();
+}
+
+int replay(const Options& options)
+{
+    auto steps = readReplay(options.replay);
+    if (!steps) return fault(steps.error());
+    auto opened = openAsAsked(options);
+    if (const int* code = std::get_if<int>(&opened)) return *code;
+    auto studio = Studio::create(options.headless);
+    if (!studio) return fault(studio.error());
+
+    Settings settings = settingsFor(options);
+    ImguiHost host{nullptr, 1};
+    EditView view{options, (*studio)->renderer(), settings, std::move(std::get<Opened>(opened).document)};
+    if (const io::Status ready = view.init(); !ready) return fault(ready.error());
+    view.wake();
+    const io::Status played = play(options, *std::move(steps), view, host);
+    view.stop();
+    view.burn();
+    return played ? 0 : fault(played.error());
+}
+
+// ---- the window
+
+class Loop {
+public:
+    Loop(Window& window, ImguiHost& host, EditView& view, Recorder* recorder)
+        : m_window{window}, m_host{host}, m_view{view}, m_recorder{recorder}
+    {
+    }
+
+    void run()
+    {
+        while (!m_view.editor().wantsClose()) {
+            waitForSomething();
+            if (m_window.closeAsked()) m_view.editor().requestClose();
+            m_view.openDropped(m_window.takeDropped());
+            if (m_window.shown()) frame();
+        }
+    }
+
+private:
+    void waitForSomething()
+    {
+        if (m_window.shown() && m_view.editor().needsFrame())
+            Window::takeEvents();
+        else
+            Window::waitForEvents(kIdle);
+    }
+
+    void frame()
+    {
+        const Clock::time_point now = Clock::now();
+        const double seconds = std::chrono::duration<double>(now - m_last).count();
+        m_last = now;
+        m_host.setScale(m_window.scale());
+        m_view.run(std::clamp(seconds, 1e-4, kLongestFrame));
+        m_host.begin({}, 0);
+        if (m_recorder) m_recorder->frame(ImGui::GetIO());
+        m_view.runImGui();
+        renderer::beginWindow(m_window.pixels());
+        m_host.end();
+        m_window.setTitle(m_view.editor().title());
+        m_window.setPointerHidden(m_view.editor().pointerHidden());
+        m_window.swap();
+    }
+
+    using Clock = std::chrono::steady_clock;
+    Window& m_window;
+    ImguiHost& m_host;
+    EditView& m_view;
+    Recorder* m_recorder;
+    Clock::time_point m_last = Clock::now();
+};
+
+int openWindow(const Options& options)
+{
+    renderer::Settings drawing; // the words of --set are checked before a window appears
+    if (const int code = applyToDrawing(options, drawing)) return code;
+    std::optional<Recorder> recorder;
+    if (!options.record.empty()) recorder.emplace(options.record);
+    if (recorder && !recorder->open()) return fault({options.record.string(), "cannot be written; name a file in a folder that exists"});
+    Settings settings = settingsFor(options);
+    auto window = Window::create({.size = options.sizeGiven ? options.size : glm::ivec2{1600, 900}});
+    if (!window) return fault(window.error());
+    auto renderer = makeRenderer();
+    if (!renderer) return fault(renderer.error());
+    ImguiHost host{window->get(), (*window)->scale()};
+    EditView view{options, **renderer, settings};
+    if (const io::Status ready = view.init(); !ready) return fault(ready.error());
+    view.wake();
+    Loop{**window, host, view, recorder ? &*recorder : nullptr}.run();
+    view.stop();
+    view.burn();
+    return 0;
+}
+
+} // namespace
+
+int edit(const Options& options)
+{
+    if (!options.replay.empty()) return replay(options);
+    if (options.headless) return misuse("edit --headless needs --replay FILE: without a display nobody could use the window");
+    if (!hasDisplay())
+        return fault({"display", "there is none (DISPLAY, WAYLAND_DISPLAY); use --replay FILE, or wold render for pictures"});
+    return openWindow(options);
+}
+
+} // namespace app

@@ -1,0 +1,90 @@
+#include "app/drawing_settings.h"
+
+#include "io/scene/field_value.h"
+
+#include <array>
+#include <fmt/format.h>
+
+namespace app {
+namespace {
+
+// A setting that a later release brings, and what is true without it.
+struct Coming {
+    std::string_view key, now;
+};
+constexpr std::array<Coming, 8> kComing{{{"occlusion", "off"},
+                                         {"lod", "off"},
+                                         {"ao", "off"},
+                                         {"grass", "off"},
+                                         {"bloom", "off"},
+                                         {"wind", "off"},
+                                         {"terrain", "grid"},
+                                         {"sky", "tables"}}};
+
+const Coming* coming(std::string_view key)
+{
+    for (const Coming& one : kComing)
+        if (one.key == key) return &one;
+    return nullptr;
+}
+
+// The words of a value that a person may have typed, or written in a script as true or false.
+std::string wordOf(const io::Value& value)
+{
+    if (const bool* on = value.asBool()) return *on ? "on" : "off";
+    return value.asString() ? *value.asString() : std::string{};
+}
+
+io::Error later(std::string_view key, std::string_view value, std::string_view now)
+{
+    return {fmt::format("render.{}={}", key, value), fmt::format("comes with a later release; now it is {}", now)};
+}
+
+// Software drawing pays for each triangle and each texel of the shadow maps, so that is what is spared.
+struct Tier {
+    Quality quality;
+    int cascades, shadowMap;
+    float shadowDistance; // m
+    renderer::AntiAliasing antiAliasing;
+};
+constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, renderer::AntiAliasing::Off},
+                                      {Quality::Medium, 3, 1024, 250, renderer::AntiAliasing::Fxaa},
+                                      {Quality::High, 4, 2048, 1000, renderer::AntiAliasing::Fxaa},
+                                      {Quality::Ultra, 4, 8192, 1e6f, renderer::AntiAliasing::Fxaa}}};
+
+} // namespace
+
+io::Status setDrawing(renderer::Settings& settings, std::string_view key, const io::Value& value)
+{
+    const std::string word = wordOf(value);
+    if (const Coming* one = coming(key)) {
+        if (word == one->now || (one->now == "off" && (word == "false" || word == "0"))) return {};
+        return later(key, word, one->now);
+    }
+    if (key == "aa" && (word == "smaa" || word == "taa")) return later(key, word, "off or fxaa");
+    const io::Status set = io::setField(settings, key, value);
+    if (!set) return io::Error{"render." + set.error().where, set.error().what};
+    return {};
+}
+
+io::Result<io::Value> getDrawing(const renderer::Settings& settings, std::string_view key)
+{
+    if (const Coming* one = coming(key)) return io::Value{one->now};
+    return io::getField(settings, key);
+}
+
+void applyQuality(Quality quality, std::string_view device, renderer::Settings& settings)
+{
+    const bool software = device.find("llvmpipe") != device.npos || device.find("softpipe") != device.npos ||
+                          device.find("SwiftShader") != device.npos;
+    if (quality == Quality::Auto) quality = software ? Quality::Medium : Quality::High;
+    for (const Tier& tier : kTiers) {
+        if (tier.quality != quality) continue;
+        settings.mostCascades = tier.cascades;
+        settings.largestShadowMap = tier.shadowMap;
+        settings.farthestShadow = tier.shadowDistance;
+        settings.antiAliasing = tier.antiAliasing;
+    }
+}
+
+} // namespace app

@@ -1,0 +1,96 @@
+#include "app/imgui_host.h"
+
+#include "app/fonts.h"
+#include "app/window.h"
+#include "editor/theme.h"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <cmath>
+#include <imgui.h>
+
+namespace app {
+namespace {
+
+constexpr float kFontPixels = 15;
+
+// The same numbers as the window's backend uses, so that the editor sees one keyboard.
+void mapKeys(ImGuiIO& io)
+{
+    constexpr std::pair<ImGuiKey, int> kKeys[] = {
+        {ImGuiKey_Tab, GLFW_KEY_TAB},         {ImGuiKey_LeftArrow, GLFW_KEY_LEFT}, {ImGuiKey_RightArrow, GLFW_KEY_RIGHT},
+        {ImGuiKey_UpArrow, GLFW_KEY_UP},      {ImGuiKey_DownArrow, GLFW_KEY_DOWN}, {ImGuiKey_PageUp, GLFW_KEY_PAGE_UP},
+        {ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN}, {ImGuiKey_Home, GLFW_KEY_HOME},   {ImGuiKey_End, GLFW_KEY_END},
+        {ImGuiKey_Insert, GLFW_KEY_INSERT},   {ImGuiKey_Delete, GLFW_KEY_DELETE},  {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
+        {ImGuiKey_Space, GLFW_KEY_SPACE},     {ImGuiKey_Enter, GLFW_KEY_ENTER},    {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
+        {ImGuiKey_KeyPadEnter, GLFW_KEY_KP_ENTER}, {ImGuiKey_A, GLFW_KEY_A},       {ImGuiKey_C, GLFW_KEY_C},
+        {ImGuiKey_V, GLFW_KEY_V},             {ImGuiKey_X, GLFW_KEY_X},            {ImGuiKey_Y, GLFW_KEY_Y},
+        {ImGuiKey_Z, GLFW_KEY_Z}};
+    for (const auto& [key, code] : kKeys)
+        io.KeyMap[key] = code;
+}
+
+} // namespace
+
+ImguiHost::ImguiHost(Window* window, float scale) : m_window{window}
+{
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr; // the workspace remembers the layout
+    io.LogFilename = nullptr;
+    if (m_window)
+        ImGui_ImplGlfw_InitForOpenGL(m_window->handle(), true);
+    else
+        mapKeys(io);
+    setScale(scale);
+    ImGui_ImplOpenGL3_Init("#version 450");
+}
+
+ImguiHost::~ImguiHost()
+{
+    ImGui_ImplOpenGL3_Shutdown();
+    if (m_window) ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void ImguiHost::setScale(float scale)
+{
+    if (std::abs(scale - m_scale) < 0.01f) return;
+    const bool again = m_scale > 0;
+    m_scale = scale;
+    editor::applyTheme();
+    ImGui::GetStyle().ScaleAllSizes(scale);
+    ImGuiIO& io = ImGui::GetIO();
+    io.Fonts->Clear();
+    editor::addFonts(*io.Fonts, findFonts(), std::round(kFontPixels * scale));
+    if (again) ImGui_ImplOpenGL3_DestroyFontsTexture();
+    if (again) ImGui_ImplOpenGL3_CreateFontsTexture();
+}
+
+void ImguiHost::begin(glm::ivec2 size, double seconds)
+{
+    ImGui_ImplOpenGL3_NewFrame();
+    if (m_window) {
+        ImGui_ImplGlfw_NewFrame();
+    } else {
+        ImGuiIO& io = ImGui::GetIO();
+        io.DisplaySize = {float(size.x), float(size.y)};
+        io.DeltaTime = float(seconds);
+    }
+    ImGui::NewFrame();
+}
+
+void ImguiHost::end()
+{
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void ImguiHost::finish()
+{
+    ImGui::Render();
+}
+
+} // namespace app

@@ -1,0 +1,56 @@
+#include "app/recorder.h"
+
+#include "app/replay.h"
+#include "io/files/json.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace app {
+namespace {
+
+constexpr const char* kButtons[] = {"left", "right", "middle"};
+
+std::string utf8(ImWchar letter)
+{
+    const auto c = unsigned(letter);
+    if (c < 0x80) return {char(c)};
+    if (c < 0x800) return {char(0xc0 | c >> 6), char(0x80 | (c & 0x3f))};
+    return {char(0xe0 | c >> 12), char(0x80 | (c >> 6 & 0x3f)), char(0x80 | (c & 0x3f))};
+}
+
+} // namespace
+
+void Recorder::write(const std::string& line)
+{
+    if (m_idle > 1) m_file << "{\"wait\": " << m_idle - 1 << "}\n";
+    m_idle = 0;
+    m_file << line << '\n' << std::flush;
+}
+
+void Recorder::frame(const ImGuiIO& io)
+{
+    ++m_idle;
+    const bool moved = io.MousePos.x != m_mouse.x || io.MousePos.y != m_mouse.y;
+    if (moved && ImGui::IsMousePosValid(&io.MousePos))
+        write(fmt::format("{{\"move\": [{}, {}]}}", std::round(io.MousePos.x), std::round(io.MousePos.y)));
+    m_mouse = io.MousePos;
+    for (int i = 0; i < 3; ++i)
+        if (io.MouseDown[i] != m_buttons[i]) {
+            m_buttons[i] = io.MouseDown[i];
+            write(fmt::format("{{\"{}\": \"{}\"}}", m_buttons[i] ? "press" : "release", kButtons[i]));
+        }
+    for (int code = 0; code < 512; ++code)
+        if (io.KeysDown[code] != m_keys[code]) {
+            m_keys[code] = io.KeysDown[code];
+            const std::string name = nameOfKey(code);
+            if (!name.empty()) write(fmt::format("{{\"{}\": \"{}\"}}", m_keys[code] ? "keydown" : "keyup", name));
+        }
+    if (io.MouseWheel != 0 || io.MouseWheelH != 0) write(fmt::format("{{\"wheel\": [{}, {}]}}", io.MouseWheelH, io.MouseWheel));
+    std::string typed;
+    for (const ImWchar letter : io.InputQueueCharacters)
+        typed += utf8(letter);
+    if (!typed.empty()) write(io::writeJson(io::Value::Object{{"text", typed}}));
+}
+
+} // namespace app

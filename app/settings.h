@@ -1,0 +1,37 @@
+// Settings of a person: language, recent projects, quality, and what the editor remembers. Apart from every project.
+#pragma once
+
+#include "app/options.h"
+#include "io/base/value.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace app {
+
+class Settings {
+public:
+    // Made with defaults when missing; a broken file is set aside as FILE.bad, and the log says so.
+    static Settings load(const std::filesystem::path& file);
+    static std::filesystem::path defaultFile(); // $XDG_CONFIG_HOME/wold/settings.json
+
+    std::string language() const;
+    Quality quality() const;
+    std::vector<std::filesystem::path> recentProjects() const; // newest first
+    io::Value editor() const;                                  // null: nothing yet
+
+    void setLanguage(const std::string& code);
+    void addRecentProject(const std::filesystem::path& project);
+    void setEditor(const io::Value& value);
+
+    // Writes what changed since it was read or saved; a fault is logged, for settings are never worth stopping for.
+    void save();
+
+private:
+    io::Value m_values; // the whole file, so that keys of a newer version survive
+    io::Value m_saved;
+    std::filesystem::path m_file;
+};
+
+} // namespace app

@@ -1,0 +1,76 @@
+#include "app/translator.h"
+
+#include "editor/text.h"
+#include "io/base/paths.h"
+#include "io/files/atomic_file.h"
+#include "io/files/json.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace app {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kFolder = "app/lang";
+
+io::Result<io::Value> readLanguage(const std::string& code)
+{
+    const fs::path file = io::resource(kFolder) / (code + ".json");
+    auto bytes = io::readFile(file, 1 << 24);
+    if (!bytes) return bytes.error();
+    return io::parseJson(*bytes, file.string());
+}
+
+std::string ownName(const io::Value& language, const std::string& code)
+{
+    const io::Value* category = language.find("language");
+    const io::Value* name = category ? category->find("name") : nullptr;
+    return name && name->asString() ? *name->asString() : code;
+}
+
+// Texts of `over` on top of those of `under`, category by category.
+io::Value merged(io::Value under, const io::Value& over)
+{
+    if (!over.asObject()) return under;
+    for (const auto& [category, texts] : *over.asObject())
+        if (texts.asObject())
+            for (const auto& [key, text] : *texts.asObject())
+                if (io::Value& into = under[category]; into.isNull() || into.asObject()) into[key] = text;
+    return under;
+}
+
+bool isCode(const std::string& code)
+{
+    return !code.empty() && code.size() < 16 &&
+           std::ranges::all_of(code, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
+}
+
+} // namespace
+
+std::vector<editor::Language> languages()
+{
+    std::vector<editor::Language> result;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator{io::resource(kFolder), ignored}) {
+        const std::string code = entry.path().stem().string();
+        if (entry.path().extension() != ".json") continue;
+        if (const auto language = readLanguage(code)) result.push_back({code, ownName(*language, code)});
+    }
+    std::ranges::sort(result, {}, &editor::Language::code);
+    return result;
+}
+
+io::Status useLanguage(const std::string& code)
+{
+    if (!isCode(code)) return io::Error{code, "is no name of a language"};
+    auto english = readLanguage("en");
+    if (!english) return english.error();
+    if (code == "en") return editor::setTexts(*english), io::Status{};
+    const auto chosen = readLanguage(code);
+    if (!chosen) return chosen.error();
+    editor::setTexts(merged(*std::move(english), *chosen));
+    return {};
+}
+
+} // namespace app

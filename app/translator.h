@@ -1,0 +1,15 @@
+// Languages of the window: app/lang/CODE.json, handed to the editor's text table, English beneath what is missing.
+#pragma once
+
+#include "editor/host.h"
+#include "io/base/result.h"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+std::vector<editor::Language> languages(); // sorted by code; what app/lang holds
+io::Status useLanguage(const std::string& code); // an error leaves the texts as they were
+
+} // namespace app

@@ -1,0 +1,139 @@
+#include "app/views/edit_view.h"
+
+#include "app/drawing_settings.h"
+#include "app/opened.h"
+#include "app/translator.h"
+#include "io/base/log.h"
+#include "io/base/paths.h"
+
+#include <algorithm>
+
+namespace app {
+namespace fs = std::filesystem;
+
+EditView::EditView(const Options& options, renderer::Renderer& renderer, Settings& settings,
+                   std::unique_ptr<editor::Document> document)
+    : m_options{options}, m_renderer{renderer}, m_settings{settings}, m_given{std::move(document)}
+{
+}
+
+EditView::~EditView() = default;
+
+io::Status EditView::init()
+{
+    if (io::Status chosen = chooseLanguage(); !chosen) return chosen;
+    editor::Host& host = *this;
+    m_editor = std::make_unique<editor::Editor>(m_renderer, host);
+    applyQuality(m_options.quality.value_or(m_settings.quality()), m_renderer.deviceName(), m_editor->renderSettings);
+    applyToDrawing(m_options, m_editor->renderSettings); // its words were checked before
+    openProject();
+    lookAsAsked();
+    return {};
+}
+
+// --lang holds for this run; a language of the settings that is gone falls back to English.
+io::Status EditView::chooseLanguage()
+{
+    m_language = m_options.language.empty() ? m_settings.language() : m_options.language;
+    io::Status chosen = useLanguage(m_language);
+    if (chosen || !m_options.language.empty()) return chosen;
+    io::log::warning("{}; the window speaks English", chosen.error().text());
+    m_language = "en";
+    return useLanguage(m_language);
+}
+
+void EditView::openProject()
+{
+    if (m_given) return m_editor->adopt(std::move(m_given));
+    const auto recent = m_settings.recentProjects();
+    std::error_code ignored;
+    if (!m_options.project.empty()) {
+        if (m_editor->open(m_options.project, m_options.scene)) applyToWorld(m_options, *m_editor->document());
+    } else if (!recent.empty() && fs::exists(recent.front(), ignored)) {
+        m_editor->open(recent.front());
+    }
+}
+
+void EditView::lookAsAsked()
+{
+    if (!m_editor->document() || (!m_options.view && m_options.camera.empty())) return;
+    const auto camera = cameraFor(m_options, *m_editor->document());
+    if (camera)
+        m_editor->viewport().camera.setCamera(*camera);
+    else
+        io::log::warning("{}", camera.error().text());
+}
+
+void EditView::runImGui()
+{
+    m_editor->frame(m_seconds);
+}
+
+void EditView::stop()
+{
+    m_editor->saveLayout();
+    m_settings.save();
+}
+
+void EditView::burn()
+{
+    m_editor.reset();
+}
+
+void EditView::openDropped(const std::vector<fs::path>& files)
+{
+    const auto project = std::ranges::find_if(files, [](const fs::path& file) {
+        std::error_code ignored;
+        return file.filename() == "project.json" || fs::exists(file / "project.json", ignored);
+    });
+    if (project == files.end()) {
+        if (!files.empty()) io::log::warning("{}: only projects can be dropped here", files.front().string());
+    } else if (m_editor->document() && m_editor->document()->modified()) {
+        io::log::warning("{}: save or close the open project first", project->string());
+    } else {
+        m_editor->open(*project);
+    }
+}
+
+std::vector<editor::Language> EditView::languages() const
+{
+    return app::languages();
+}
+
+void EditView::setLanguage(const std::string& code)
+{
+    const io::Status chosen = useLanguage(code);
+    if (!chosen) return io::log::error("{}", chosen.error().text());
+    m_language = code;
+    m_settings.setLanguage(code);
+    m_settings.save();
+}
+
+std::vector<fs::path> EditView::recentProjects() const
+{
+    return m_settings.recentProjects();
+}
+
+void EditView::addRecentProject(const fs::path& project)
+{
+    m_settings.addRecentProject(project);
+    m_settings.save();
+}
+
+std::vector<fs::path> EditView::shippedWorlds() const
+{
+    std::vector<fs::path> worlds;
+    std::error_code ignored;
+    for (const char* name : {"valley", "forest-1", "forest-2", "forest-3"})
+        if (const fs::path folder = io::resource(std::string{"projects/"} + name); fs::exists(folder / "project.json", ignored))
+            worlds.push_back(folder);
+    return worlds;
+}
+
+void EditView::saveSettings(const io::Value& settings)
+{
+    m_settings.setEditor(settings);
+    m_settings.save();
+}
+
+} // namespace app

@@ -1,0 +1,55 @@
+// EditView: the editor in its window: what it asks of the program around it (settings, languages), and its project.
+#pragma once
+
+#include "app/options.h"
+#include "app/settings.h"
+#include "app/views/view.h"
+#include "editor/editor.h"
+
+#include <memory>
+#include <optional>
+
+namespace app {
+
+class EditView final : public View, private editor::Host {
+public:
+    // `document` is one that is open already (a replay's); otherwise the project that is asked for, or the last one,
+    // is opened in the window, where a fault is a message.
+    EditView(const Options& options, renderer::Renderer& renderer, Settings& settings,
+             std::unique_ptr<editor::Document> document = {});
+    ~EditView() override;
+
+    io::Status init() override;
+    void wake() override {}
+    void run(double seconds) override { m_seconds = seconds; }
+    void runImGui() override;
+    void stop() override;
+    void burn() override;
+
+    editor::Editor& editor() { return *m_editor; }
+    void openDropped(const std::vector<std::filesystem::path>& files); // a project dropped on the window
+
+private:
+    std::vector<editor::Language> languages() const override;
+    std::string language() const override { return m_language; }
+    void setLanguage(const std::string& code) override;
+    std::vector<std::filesystem::path> recentProjects() const override;
+    void addRecentProject(const std::filesystem::path& project) override;
+    std::vector<std::filesystem::path> shippedWorlds() const override;
+    io::Value settings() const override { return m_settings.editor(); }
+    void saveSettings(const io::Value& settings) override;
+
+    io::Status chooseLanguage();
+    void openProject();
+    void lookAsAsked();
+
+    const Options& m_options;
+    renderer::Renderer& m_renderer;
+    Settings& m_settings;
+    std::unique_ptr<editor::Document> m_given;
+    std::string m_language = "en";
+    std::unique_ptr<editor::Editor> m_editor;
+    double m_seconds = 0;
+};
+
+} // namespace app

@@ -1,0 +1,122 @@
+#include "app/window.h"
+
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+namespace app {
+namespace {
+
+int g_windows = 0;
+std::string g_fault; // GLFW's last words
+
+void keepFault(int, const char* text)
+{
+    g_fault = text;
+}
+
+void setHints(const Window::Options& options)
+{
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_VISIBLE, options.visible);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "wold");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "wold");
+}
+
+} // namespace
+
+io::Result<std::unique_ptr<Window>> Window::create(Options options)
+{
+    glfwSetErrorCallback(keepFault);
+    if (g_windows == 0 && !glfwInit()) return io::Error{"display", fmt::format("cannot be opened: {}", g_fault)};
+    setHints(options);
+    GLFWwindow* handle = glfwCreateWindow(options.size.x, options.size.y, options.title.c_str(), nullptr, nullptr);
+    if (!handle) {
+        if (g_windows == 0) glfwTerminate();
+        return io::Error{"OpenGL", fmt::format("a window with OpenGL 4.5 core is needed: {}; install the driver of the "
+                                               "graphics card, or Mesa", g_fault)};
+    }
+    ++g_windows;
+    std::unique_ptr<Window> window{new Window{handle}};
+    glfwMakeContextCurrent(handle);
+    glfwSwapInterval(1);
+    glfwSetWindowUserPointer(handle, window.get());
+    glfwSetDropCallback(handle, [](GLFWwindow* to, int count, const char** names) {
+        auto& dropped = static_cast<Window*>(glfwGetWindowUserPointer(to))->m_dropped;
+        dropped.insert(dropped.end(), names, names + count);
+    });
+    return window;
+}
+
+Window::~Window()
+{
+    glfwDestroyWindow(m_window);
+    if (--g_windows == 0) glfwTerminate();
+}
+
+glm::ivec2 Window::pixels() const
+{
+    glm::ivec2 size;
+    glfwGetFramebufferSize(m_window, &size.x, &size.y);
+    return size;
+}
+
+float Window::scale() const
+{
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(m_window, &x, &y);
+    return glm::clamp(x, 0.5f, 4.0f);
+}
+
+bool Window::closeAsked()
+{
+    const bool asked = glfwWindowShouldClose(m_window);
+    glfwSetWindowShouldClose(m_window, GLFW_FALSE);
+    return asked;
+}
+
+bool Window::shown() const
+{
+    const glm::ivec2 size = pixels();
+    return size.x > 0 && size.y > 0 && !glfwGetWindowAttrib(m_window, GLFW_ICONIFIED);
+}
+
+std::vector<std::filesystem::path> Window::takeDropped()
+{
+    return std::exchange(m_dropped, {});
+}
+
+void Window::setTitle(const std::string& title)
+{
+    if (title == m_title) return;
+    m_title = title;
+    glfwSetWindowTitle(m_window, title.c_str());
+}
+
+void Window::setPointerHidden(bool hidden)
+{
+    if (hidden == m_pointerHidden) return;
+    m_pointerHidden = hidden;
+    glfwSetInputMode(m_window, GLFW_CURSOR, hidden ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+}
+
+void Window::swap()
+{
+    glfwSwapBuffers(m_window);
+}
+
+void Window::waitForEvents(double seconds)
+{
+    glfwWaitEventsTimeout(seconds);
+}
+
+void Window::takeEvents()
+{
+    glfwPollEvents();
+}
+
+} // namespace app

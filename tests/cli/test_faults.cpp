@@ -1,0 +1,131 @@
+#include "tests/cli/wold.h"
+
+#include <fstream>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace test {
+namespace {
+
+namespace fs = std::filesystem;
+using Faults = SmallWorld;
+
+TEST_F(Faults, wrongWordsEndWithTwo)
+{
+    expectMisuse(wold({"render", project}), "--out");
+    expectMisuse(wold({"render", project, "--out", folder / "a.gif"}), ".png");
+    expectMisuse(wold({"render", project, "--out", folder / "a.png", "--nonsense"}), "nonsense");
+    expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "environment.fog.densitty=1"}), "densitty");
+    expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "environment.time=noon"}), "noon");
+    expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "render.ao=on"}), "comes with a later release");
+    expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "colour=red"}), "colour");
+    expectMisuse(wold({"play", project}), "comes with a later release");
+    expectMisuse(wold({"edit", project, "--headless"}), "--replay");
+    EXPECT_FALSE(fs::exists(folder / "a.png"));
+}
+
+TEST_F(Faults, aMissingProjectIsNamed)
+{
+    for (const char* command : {"info", "check", "bench"})
+        expectFault(wold({command, folder / "nowhere"}), "nowhere");
+    expectFault(wold({"render", folder / "nowhere", "--out", folder / "a.png"}), "nowhere");
+    expectFault(wold({"render", project, "--out", folder / "a.png", "--scene", "night"}), "night");
+    expectFault(wold({"render", project, "--out", folder / "a.png", "--camera", "roof"}), "front"); // and says what there is
+    expectFault(wold({"render", project, "--out", folder / "a.png", "--frames", "0..1", "--path", "roof"}), "flight");
+    expectFault(wold({"pick", project, "--points", folder / "nothing"}), "nothing");
+    expectFault(wold({"run", project, folder / "nothing.jsonl"}), "nothing.jsonl");
+    expectFault(wold({"run", project, folder.path().string()}), folder.path().string());
+    expectFault(wold({"edit", project, "--replay", folder / "nothing.jsonl"}), "nothing.jsonl");
+    expectFault(wold({"edit", project}), "DISPLAY");
+}
+
+TEST_F(Faults, brokenJsonIsNamedWithItsLine)
+{
+    std::ofstream{project + "/project.json"} << "{\n  \"format\": \"wold-project\",\n  oops\n}\n";
+    expectFault(wold({"info", project}), "project.json:3");
+    expectFault(wold({"check", project}), "project.json:3");
+}
+
+TEST_F(Faults, aTruncatedSceneIsAnErrorAndIsLeftAlone)
+{
+    const std::string file = project + "/scenes/main.scene.json";
+    const std::string whole = textOf(file);
+    std::ofstream{file} << whole.substr(0, whole.size() / 2);
+    expectFault(wold({"info", project}), "main.scene.json");
+    EXPECT_EQ(textOf(file), whole.substr(0, whole.size() / 2));
+}
+
+TEST_F(Faults, aTruncatedModelIsReplacedInAPictureAndAnErrorForCheck)
+{
+    const std::string file = project + "/models/crate.glb";
+    std::ofstream{file, std::ios::binary} << textOf(file).substr(0, 100);
+    const Ran drawn = wold({"render", project, "--out", folder / "a.png", "--size", "32x18"});
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    EXPECT_NE(drawn.err.find("crate.glb"), std::string::npos) << drawn.err;
+    const Ran checked = wold({"check", project});
+    expectFault(checked, "crate.glb");
+    EXPECT_NE(checked.out.find("error"), std::string::npos);
+}
+
+TEST_F(Faults, imagesThatAreNoHeightMaps)
+{
+    const std::string file = project + "/terrain/ground.png";
+    const std::string tiny = "\x89PNG\r\n\x1a\n";
+    for (const std::string& bytes : {std::string{}, tiny, std::string(100'000, 'x')}) {
+        std::ofstream{file, std::ios::binary | std::ios::trunc} << bytes;
+        expectFault(wold({"check", project}), "ground.png");
+        const Ran drawn = wold({"render", project, "--out", folder / "a.png", "--size", "32x18"});
+        EXPECT_EQ(drawn.code, 0) << drawn.err;
+        EXPECT_NE(drawn.err.find("ground.png"), std::string::npos) << drawn.err;
+    }
+}
+
+TEST_F(Faults, aHugeHeaderIsRefusedWithoutReadingIt)
+{
+    // A PNG of 60000 x 60000 pixels by its header, with nothing behind it.
+    const unsigned char png[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13, 'I', 'H', 'D', 'R', 0, 0, 0xea, 0x60,
+                                 0, 0, 0xea, 0x60, 16, 0, 0, 0, 0, 0x8a, 0x9c, 0x6f, 0x5b};
+    std::ofstream{project + "/terrain/ground.png", std::ios::binary | std::ios::trunc}.write(reinterpret_cast<const char*>(png), sizeof png);
+    expectFault(wold({"check", project}), "ground.png");
+}
+
+TEST_F(Faults, outputThatCannotBeWrittenIsNamed)
+{
+    expectFault(wold({"render", project, "--size", "32x18", "--out", folder / "no/such/folder/a.png"}), "a.png");
+    expectFault(wold({"info", project, "--json", folder / "no/such/folder/a.json"}), "a.json");
+}
+
+TEST_F(Faults, pointsAreCheckedLineByLine)
+{
+    for (const char* line : {"12", "a b", "1 2 3", "nan 1", "1e999 1"})
+        expectFault(wold({"pick", project, "--points", folder.write("points", std::string{"1 1\n"} + line + "\n")}), "points:2");
+}
+
+TEST_F(Faults, foldersPipesAndBinariesAreNoProjects)
+{
+    mkfifo((folder / "pipe").c_str(), 0600);
+    expectFault(wold({"info", folder / "pipe"}), "pipe");
+    expectFault(wold({"info", "/dev/null"}), "/dev/null");
+    expectFault(wold({"info", WOLD_PROGRAM}), "");
+    expectFault(wold({"info", folder.path().string()}), "");
+    expectFault(wold({"pick", project, "--points", folder / "pipe"}), "pipe");
+}
+
+TEST_F(Faults, brokenSettingsAreReportedAndSetAside)
+{
+    const std::string settings = folder.write("settings.json", "{ broken");
+    const std::string events = folder.write("events.jsonl", "{\"wait\": 1}\n");
+    const Ran ran = wold({"edit", project, "--replay", events, "--config", settings, "--size", "640x360"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(ran.err.find("settings.json"), std::string::npos) << ran.err;
+    EXPECT_EQ(textOf(settings + ".bad"), "{ broken");
+}
+
+TEST_F(Faults, withoutOpenGl45TheMachineIsNamed)
+{
+    const Ran ran = test::wold({"render", project, "--out", folder / "a.png"}, "", {{"MESA_GL_VERSION_OVERRIDE", "3.3"}});
+    expectFault(ran, "OpenGL 4.5");
+}
+
+} // namespace
+} // namespace test
