@@ -4,6 +4,7 @@
 
 #include "io/scene/fields.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -21,6 +22,11 @@ struct Settings {
     AntiAliasing antiAliasing = AntiAliasing::Fxaa;
     ToneMap toneMap = ToneMap::Agx;
     Shading shading = Shading::Pbr;
+
+    // Caps on the shadows that a scene asks for: what a machine can bear, set by --quality.
+    int mostCascades = 4;
+    int largestShadowMap = 8192;    // texels along a side
+    float farthestShadow = 1e6f;    // m
     bool operator==(const Settings&) const = default;
 };
 
@@ -37,6 +43,14 @@ void fields(auto& v, io::Of<Settings> auto& s)
     v("aa", s.antiAliasing, io::Hint{});
     v("tonemap", s.toneMap, io::Hint{});
     v("shading", s.shading, io::Hint{});
+}
+
+inline io::Shadows capped(io::Shadows shadows, const Settings& settings)
+{
+    shadows.cascades = std::min(shadows.cascades, settings.mostCascades);
+    shadows.resolution = std::min(shadows.resolution, settings.largestShadowMap);
+    shadows.distance = std::min(shadows.distance, settings.farthestShadow);
+    return shadows;
 }
 
 // What of the frame is shown in place of the finished picture.

@@ -1,0 +1,91 @@
+#include "renderer/shaders/shared/bindings.h"
+#include "renderer/state.h"
+
+#include <algorithm>
+
+namespace renderer {
+namespace {
+
+constexpr double kSmallestPixels = 0.6; // diameter under which an object is left out
+
+} // namespace
+
+// The frame, top to bottom. A pass takes what it reads and returns what it makes, so the data flow is the argument
+// lists; a pass that adds to an image takes that image by reference.
+Picture Renderer::State::render(const FrameInput& in)
+{
+    shaders.reloadIfDue();
+    GpuFrame gpu{stream, timers, stats, empty};
+    const Viewpoint viewpoint = look(in);
+    canvas.resize("picture", viewpoint.eye.size);
+    scenery.world.select(in.selection);
+    scenery.world.upload();
+    gpu.constants(VIEW_BINDING, viewpoint.view);
+    gpu.constants(LIGHT_BINDING, viewpoint.light);
+
+    skyTables.update(gpu, viewpoint.light);
+    const GeometryPass::Drawn drawn = choose(gpu, in, viewpoint);
+    shadow.render(gpu, scenery, viewpoint, in.settings);
+    const GBuffer& surfaces = geometry.render(gpu, scenery, viewpoint, drawn);
+
+    Radiance& hdr = lighting.render(gpu, surfaces, viewpoint, in.settings);
+    sky.render(gpu, hdr, viewpoint);
+    fog.render(gpu, hdr, surfaces, viewpoint);
+    transparent.render(gpu, hdr, surfaces, scenery, viewpoint, drawn.objects, in.ghosts, in.settings);
+    radiance = &hdr;
+
+    if (in.show == Show::Final) {
+        toneMap.render(gpu, canvas, hdr, in.settings);
+        overlay.render(gpu, canvas, surfaces, viewpoint, scenery.world.boundsOf(in.selection), in.lines);
+    } else {
+        show.render(gpu, canvas, in.show, hdr, surfaces, scenery, viewpoint, drawn);
+    }
+    stats.gpuBytes = gl::Footprint::total();
+    return {.texture = canvas.texture.id(), .size = canvas.texture.size()};
+}
+
+Viewpoint Renderer::State::look(const FrameInput& in) const
+{
+    io::Environment environment = scenery.environment;
+    environment.shadows = capped(environment.shadows, in.settings);
+    Viewpoint v;
+    v.eye = eyeOf(in.camera, glm::max(in.size, glm::ivec2{1}));
+    v.towardSun = io::towardSun(environment);
+    v.view = viewBlock(v.eye, v.eye.clipFromRelative, in.time, environment.exposure);
+    const bool sunUp = v.towardSun.y > -0.02;
+    if (in.settings.shadows && sunUp) v.cascades = cascadesOf(v.eye, environment.shadows, v.towardSun);
+    v.light = lightOf({.environment = environment,
+                       .settings = in.settings,
+                       .eye = v.eye,
+                       .time = in.time,
+                       .cascades = v.cascades});
+    return v;
+}
+
+// The objects and the ground that the camera sees.
+GeometryPass::Drawn Renderer::State::choose(GpuFrame& gpu, const FrameInput& in, const Viewpoint& viewpoint)
+{
+    const auto scope = gpu.scope("cull");
+    const Eye& eye = viewpoint.eye;
+    const std::optional<Volume> volume = in.settings.culling ? std::optional{volumeOf(eye)} : std::nullopt;
+    scenery.world.bind();
+    scenery.terrain.aim(eye);
+    GeometryPass::Drawn drawn;
+    drawn.objects = scenery.world.draws(gpu.stream(),
+                                        {.volume = volume,
+                                         .eye = eye.position,
+                                         .smallestAngle = float(kSmallestPixels / 2 * viewpoint.view.pixelAngle),
+                                         .refused = in.markers ? std::uint8_t(0) : kMarker},
+                                        true);
+    drawn.ground = scenery.terrain.draws(gpu.stream(), volume);
+
+    stats.instances = scenery.world.instances();
+    stats.instancesDrawn = drawn.objects.visible;
+    stats.trianglesDrawn = drawn.ground.triangles;
+    for (const std::vector<DrawRange>* ranges : {&drawn.objects.opaque, &drawn.objects.blended})
+        for (const DrawRange& range : *ranges)
+            stats.trianglesDrawn += range.triangles;
+    return drawn;
+}
+
+} // namespace renderer

@@ -1,0 +1,83 @@
+#include "renderer/gl/texture.h"
+
+#include "io/base/contract.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace renderer::gl {
+namespace {
+
+std::uint64_t bytesPerTexel(GLenum format)
+{
+    switch (format) {
+    case GL_R8: return 1;
+    case GL_RG8: return 2;
+    case GL_RGBA16F: return 8;
+    case GL_RGBA32F: return 16;
+    default: return 4;
+    }
+}
+
+std::uint64_t bytesOf(const TextureDesc& desc)
+{
+    std::uint64_t texels = 0;
+    for (int mip = 0; mip < desc.mips; ++mip) {
+        const glm::ivec2 size = glm::max(desc.size >> mip, glm::ivec2{1});
+        texels += std::uint64_t(size.x) * size.y;
+    }
+    return texels * bytesPerTexel(desc.format) * std::max(desc.layers, 1);
+}
+
+void setSampling(GLuint id, const TextureDesc& desc)
+{
+    const bool linear = desc.filter == GL_LINEAR;
+    const GLenum mipped = linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST;
+    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GLint(desc.mips > 1 ? mipped : desc.filter));
+    glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GLint(desc.filter));
+    glTextureParameteri(id, GL_TEXTURE_WRAP_S, GLint(desc.wrap));
+    glTextureParameteri(id, GL_TEXTURE_WRAP_T, GLint(desc.wrap));
+    if (desc.compare) {
+        glTextureParameteri(id, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+        glTextureParameteri(id, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    }
+    if (desc.anisotropy > 1) glTextureParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, desc.anisotropy);
+}
+
+} // namespace
+
+int fullMipCount(glm::ivec2 size)
+{
+    return std::bit_width(unsigned(std::max({size.x, size.y, 1})));
+}
+
+Texture::Texture(const TextureDesc& desc)
+    : m_footprint{bytesOf(desc)}, m_size{desc.size}, m_layers{desc.layers}, m_mips{desc.mips}, m_format{desc.format}
+{
+    EXPECTS(desc.size.x > 0 && desc.size.y > 0);
+    GLuint id = 0;
+    glCreateTextures(desc.layers ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &id);
+    m_handle = Handle<DeleteTexture>{id};
+    if (desc.layers) {
+        glTextureStorage3D(id, desc.mips, desc.format, desc.size.x, desc.size.y, desc.layers);
+    } else {
+        glTextureStorage2D(id, desc.mips, desc.format, desc.size.x, desc.size.y);
+    }
+    setSampling(id, desc);
+    glObjectLabel(GL_TEXTURE, id, GLsizei(desc.label.size()), desc.label.data());
+}
+
+void Texture::upload(const void* pixels, GLenum format, GLenum type, int mip, int layer)
+{
+    const glm::ivec2 extent = size(mip);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    if (m_layers) {
+        glTextureSubImage3D(id(), mip, 0, 0, layer, extent.x, extent.y, 1, format, type, pixels);
+    } else {
+        glTextureSubImage2D(id(), mip, 0, 0, extent.x, extent.y, format, type, pixels);
+    }
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
+} // namespace renderer::gl

@@ -1,0 +1,53 @@
+// A 2D texture or an array of them: storage fixed at birth, labelled, with its sampling state.
+#pragma once
+
+#include "renderer/gl/handle.h"
+
+#include <glm/glm.hpp>
+#include <string_view>
+
+namespace renderer::gl {
+
+struct DeleteTexture {
+    void operator()(GLuint id) const { glDeleteTextures(1, &id); }
+};
+
+struct TextureDesc {
+    std::string_view label;      // what a debugger shows
+    glm::ivec2 size{1};
+    int layers = 0;              // 0: a plain 2D texture, else an array
+    GLenum format = GL_RGBA8;
+    int mips = 1;
+    GLenum filter = GL_LINEAR;   // between mips too, where there are any
+    GLenum wrap = GL_CLAMP_TO_EDGE;
+    bool compare = false;        // a shadow map: sampled by comparing, lit when nearer or equal
+    float anisotropy = 1;
+};
+
+class Texture {
+public:
+    Texture() = default;
+    explicit Texture(const TextureDesc& desc);
+
+    GLuint id() const { return m_handle.get(); }
+    glm::ivec2 size(int mip = 0) const { return glm::max(m_size >> mip, glm::ivec2{1}); }
+    int layers() const { return m_layers; }
+    int mips() const { return m_mips; }
+    GLenum format() const { return m_format; }
+    explicit operator bool() const { return id() != 0; }
+
+    // Whole mip of one layer, rows tightly packed.
+    void upload(const void* pixels, GLenum format, GLenum type, int mip = 0, int layer = 0);
+
+private:
+    Handle<DeleteTexture> m_handle;
+    Footprint m_footprint;
+    glm::ivec2 m_size{0};
+    int m_layers = 0;
+    int m_mips = 1;
+    GLenum m_format = GL_RGBA8;
+};
+
+int fullMipCount(glm::ivec2 size);
+
+} // namespace renderer::gl

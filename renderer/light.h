@@ -1,0 +1,27 @@
+// The frame's light as shaders read it: sun, atmosphere, shadows, fog and clouds of an environment.
+#pragma once
+
+#include "io/scene/environment.h"
+#include "renderer/cascades.h"
+#include "renderer/settings.h"
+#include "renderer/shaders/shared/light.h"
+
+#include <span>
+
+namespace renderer {
+
+glsl::Atmosphere atmosphereOf(const io::Sky& sky, double eyeHeight); // m above the ground's sea level
+
+// Share of the sun's light that comes through the air to a height, by colour; 0 when it has set there.
+glm::vec3 sunThrough(const glsl::Atmosphere& air, double height, const glm::dvec3& towardSun, double sunRadius);
+
+struct LightInput {
+    const io::Environment& environment;
+    const Settings& settings;
+    const Eye& eye;
+    double time = 0; // s, moves clouds
+    std::span<const Cascade> cascades;
+};
+glsl::Light lightOf(const LightInput& input);
+
+} // namespace renderer

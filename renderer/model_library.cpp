@@ -1,0 +1,184 @@
+#include "renderer/model_library.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace renderer {
+namespace {
+
+// Normals that were bent on purpose (outwards from a crown, say) differ from their triangles' own by far.
+bool hasBentNormals(const io::Model& model, const io::Part& part)
+{
+    std::size_t bent = 0;
+    for (std::uint32_t i = 0; i + 2 < part.indexCount; i += 3) {
+        const std::uint32_t* corner = &model.indices[part.firstIndex + i];
+        const io::Vertex& a = model.vertices[corner[0]];
+        const glm::vec3 face = glm::cross(model.vertices[corner[1]].position - a.position,
+                                          model.vertices[corner[2]].position - a.position);
+        const float length = glm::length(face);
+        if (length > 0 && std::abs(glm::dot(face / length, a.normal)) < 0.87f) ++bent;
+    }
+    return bent * 6 > part.indexCount / 3;
+}
+
+const io::Material& materialOf(const io::Model& model, const io::Part& part)
+{
+    static const io::Material kPlain{.metallic = 0, .roughness = 0.8f};
+    const bool known = part.material >= 0 && std::size_t(part.material) < model.materials.size();
+    return known ? model.materials[std::size_t(part.material)] : kPlain;
+}
+
+template <class T>
+void append(gl::Buffer& buffer, std::string_view label, std::vector<T>& fresh, std::size_t& count)
+{
+    if (fresh.empty()) return;
+    gl::grow(buffer, label, (count + fresh.size()) * sizeof(T), count * sizeof(T));
+    buffer.write(count * sizeof(T), std::as_bytes(std::span{fresh}));
+    count += fresh.size();
+    fresh.clear();
+    fresh.shrink_to_fit();
+}
+
+} // namespace
+
+std::vector<std::string> definesOf(unsigned features)
+{
+    std::vector<std::string> defines;
+    if (features & kFeatureMask) defines.emplace_back("MASK");
+    if (features & kFeatureNormalMap) defines.emplace_back("NORMAL_MAP");
+    if (features & kFeatureSurfaceMaps) defines.emplace_back("SURFACE_MAPS");
+    if (features & kFeatureWrap) defines.emplace_back("WRAP");
+    return defines;
+}
+
+ModelLibrary::ModelLibrary()
+{
+    clear();
+}
+
+void ModelLibrary::clear()
+{
+    m_textures.clear();
+    m_entries.clear();
+    m_models.clear();
+    m_known.clear();
+    m_batches.clear();
+    m_newVertices.clear();
+    m_newIndices.clear();
+    m_newMaterials.clear();
+    m_vertexCount = m_indexCount = m_materialCount = 0;
+    m_vertexBuffer = gl::Buffer{"vertices", sizeof(PackedVertex) * 1024};
+    m_indexBuffer = gl::Buffer{"indices", sizeof(std::uint32_t) * 4096};
+    m_materialBuffer = gl::Buffer{"materials", sizeof(glsl::Material) * 16};
+}
+
+int ModelLibrary::batchOf(const Batch& batch)
+{
+    const auto found = std::ranges::find(m_batches, batch);
+    if (found != m_batches.end()) return int(found - m_batches.begin());
+    m_batches.push_back(batch);
+    return int(m_batches.size()) - 1;
+}
+
+glsl::MaterialTexture ModelLibrary::addTexture(const io::Model& model, const io::TextureUse& use, ColourSpace space,
+                                               float cutoff, int unit, Batch& batch)
+{
+    glsl::MaterialTexture texture{};
+    texture.matrix = {1, 0, 0, 1};
+    texture.layer = -1;
+    if (use.image < 0) return texture;
+
+    const bool known = std::size_t(use.image) < model.images.size();
+    const TextureLayer layer = m_textures.add(known ? model.images[std::size_t(use.image)] : nullptr, space, cutoff);
+    batch.arrays[std::size_t(unit)] = layer.array;
+    if (use.wrapU != io::Wrap::Repeat || use.wrapV != io::Wrap::Repeat) batch.features |= kFeatureWrap;
+
+    // Counter-clockwise on the image, whose v runs down.
+    const float c = std::cos(use.rotation), s = std::sin(use.rotation);
+    texture.matrix = {c * use.scale.x, -s * use.scale.x, s * use.scale.y, c * use.scale.y};
+    texture.offset = use.offset;
+    texture.layer = layer.layer;
+    texture.mode = (use.uvSet == 1 ? TEXTURE_UV1 : 0u) | unsigned(use.wrapU) << TEXTURE_WRAP_U_SHIFT |
+                   unsigned(use.wrapV) << TEXTURE_WRAP_V_SHIFT;
+    return texture;
+}
+
+std::uint32_t ModelLibrary::addMaterial(const io::Model& model, const io::Part& part, Batch& batch)
+{
+    const io::Material& from = materialOf(model, part);
+    const bool mask = from.alphaMode == io::AlphaMode::Mask;
+    batch.twoSided = from.doubleSided;
+    batch.blend = from.alphaMode == io::AlphaMode::Blend;
+    if (mask) batch.features |= kFeatureMask;
+    if (from.normalTexture.image >= 0) batch.features |= kFeatureNormalMap;
+    if (from.metallicRoughnessTexture.image >= 0 || from.occlusionTexture.image >= 0 ||
+        from.emissiveTexture.image >= 0 || from.emissive != glm::vec3{0})
+        batch.features |= kFeatureSurfaceMaps;
+
+    glsl::Material to{};
+    to.baseColour = from.baseColour;
+    to.emissive = from.emissive;
+    to.roughness = from.roughness;
+    to.metallic = from.metallic;
+    to.normalScale = from.normalScale;
+    to.occlusionStrength = from.occlusionStrength;
+    to.alphaCutoff = from.alphaCutoff;
+    const bool leaf = mask && from.doubleSided;
+    to.flags = (from.unlit ? MATERIAL_UNLIT : 0u) | (leaf ? MATERIAL_LEAF : 0u) |
+               (from.doubleSided && hasBentNormals(model, part) ? MATERIAL_KEEP_NORMAL : 0u);
+
+    const float cutoff = mask ? from.alphaCutoff : -1.0f;
+    const io::TextureUse* uses[MATERIAL_TEXTURES] = {&from.baseColourTexture, &from.metallicRoughnessTexture,
+                                                     &from.normalTexture, &from.occlusionTexture, &from.emissiveTexture};
+    for (int unit = 0; unit < MATERIAL_TEXTURES; ++unit) {
+        const bool colour = unit == BASE_COLOUR_UNIT || unit == EMISSIVE_UNIT;
+        to.textures[unit] = addTexture(model, *uses[unit], colour ? ColourSpace::Srgb : ColourSpace::Linear,
+                                       unit == BASE_COLOUR_UNIT ? cutoff : -1.0f, unit, batch);
+    }
+    m_newMaterials.push_back(to);
+    return std::uint32_t(m_materialCount + m_newMaterials.size() - 1);
+}
+
+// Vertices carry their part's material, so a vertex that two parts share is stored for each.
+ModelPart ModelLibrary::addPart(const io::Model& model, const io::Part& part)
+{
+    Batch batch;
+    const std::uint32_t material = addMaterial(model, part, batch);
+    ModelPart placed{.firstIndex = std::uint32_t(m_indexCount + m_newIndices.size()), .indexCount = part.indexCount};
+    std::unordered_map<std::uint32_t, std::uint32_t> moved;
+    for (std::uint32_t i = 0; i < part.indexCount; ++i) {
+        const std::uint32_t from = model.indices[part.firstIndex + i];
+        const auto next = std::uint32_t(m_vertexCount + m_newVertices.size());
+        const auto [place, isNew] = moved.try_emplace(from, next);
+        if (isNew) m_newVertices.push_back(pack(model.vertices[from], material));
+        m_newIndices.push_back(place->second);
+    }
+    placed.batch = batchOf(batch);
+    return placed;
+}
+
+int ModelLibrary::add(const std::shared_ptr<const io::Model>& model)
+{
+    if (const auto known = m_known.find(model.get()); known != m_known.end()) return known->second;
+    ModelEntry entry;
+    for (const io::Part& part : model->parts)
+        if (part.indexCount >= 3) entry.parts.push_back(addPart(*model, part));
+    entry.bounds = model->bounds;
+    if (!entry.bounds.empty()) {
+        entry.centre = entry.bounds.centre();
+        entry.radius = glm::length(entry.bounds.size()) / 2;
+    }
+    m_entries.push_back(std::move(entry));
+    m_models.push_back(model);
+    m_known.emplace(model.get(), size() - 1);
+    return size() - 1;
+}
+
+void ModelLibrary::upload()
+{
+    append(m_vertexBuffer, "vertices", m_newVertices, m_vertexCount);
+    append(m_indexBuffer, "indices", m_newIndices, m_indexCount);
+    append(m_materialBuffer, "materials", m_newMaterials, m_materialCount);
+}
+
+} // namespace renderer

@@ -1,0 +1,86 @@
+// Every model in shared vertex, index and material buffers, and the batches that draw them: all parts of a batch
+// go out in one multi-draw.
+#pragma once
+
+#include "io/scene/model.h"
+#include "renderer/gl/buffer.h"
+#include "renderer/shaders/shared/bindings.h"
+#include "renderer/shaders/shared/material.h"
+#include "renderer/texture_library.h"
+#include "renderer/vertex_format.h"
+
+#include <array>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace renderer {
+
+// What a batch's shader must do beyond the plain case; each combination is one program.
+enum Feature : unsigned {
+    kFeatureMask = 1,       // cut out by alpha
+    kFeatureNormalMap = 2,
+    kFeatureSurfaceMaps = 4, // roughness, metallic, occlusion or emission from textures, or emission at all
+    kFeatureWrap = 8,       // a texture that does not repeat
+};
+std::vector<std::string> definesOf(unsigned features);
+
+struct Batch {
+    bool twoSided = false;
+    bool blend = false;
+    unsigned features = 0;
+    std::array<int, MATERIAL_TEXTURES> arrays{}; // of the texture library, by unit
+    auto operator<=>(const Batch&) const = default;
+};
+
+struct ModelPart {
+    std::uint32_t firstIndex = 0;
+    std::uint32_t indexCount = 0;
+    int batch = 0;
+};
+
+struct ModelEntry {
+    std::vector<ModelPart> parts;
+    io::Box bounds;        // m, model space
+    glm::vec3 centre{0};   // of the sphere around the bounds
+    float radius = 0;
+};
+
+class ModelLibrary {
+public:
+    ModelLibrary();
+
+    int add(const std::shared_ptr<const io::Model>& model); // the same model gives the same number
+    const ModelEntry& entry(int model) const { return m_entries[std::size_t(model)]; }
+    int size() const { return int(m_entries.size()); }
+    std::span<const Batch> batches() const { return m_batches; }
+    const TextureLibrary& textures() const { return m_textures; }
+    void clear();
+
+    void upload(); // what was added since the last call
+    GLuint vertices() const { return m_vertexBuffer.id(); }
+    GLuint indices() const { return m_indexBuffer.id(); }
+    GLuint materials() const { return m_materialBuffer.id(); }
+
+private:
+    int batchOf(const Batch& batch);
+    std::uint32_t addMaterial(const io::Model& model, const io::Part& part, Batch& batch);
+    glsl::MaterialTexture addTexture(const io::Model& model, const io::TextureUse& use, ColourSpace space, float cutoff,
+                                     int unit, Batch& batch);
+    ModelPart addPart(const io::Model& model, const io::Part& part);
+
+    TextureLibrary m_textures;
+    std::vector<ModelEntry> m_entries;
+    std::vector<std::shared_ptr<const io::Model>> m_models; // keeps the keys of m_known alive
+    std::unordered_map<const io::Model*, int> m_known;
+    std::vector<Batch> m_batches;
+
+    // What still has to go to the GPU; counts are of what is there already.
+    std::vector<PackedVertex> m_newVertices;
+    std::vector<std::uint32_t> m_newIndices;
+    std::vector<glsl::Material> m_newMaterials;
+    std::size_t m_vertexCount = 0, m_indexCount = 0, m_materialCount = 0;
+    gl::Buffer m_vertexBuffer, m_indexBuffer, m_materialBuffer;
+};
+
+} // namespace renderer

@@ -1,0 +1,70 @@
+#include "renderer/passes/geometry.h"
+
+#include "renderer/shaders/shared/bindings.h"
+
+namespace renderer {
+
+void GBuffer::bind(GpuFrame& gpu) const
+{
+    gpu.bind({{GBUFFER_COLOUR_UNIT, &colour},
+              {GBUFFER_NORMAL_UNIT, &normal},
+              {GBUFFER_SURFACE_UNIT, &surface},
+              {GBUFFER_ID_UNIT, &id},
+              {GBUFFER_DEPTH_UNIT, &depth}});
+}
+
+GeometryPass::GeometryPass(ShaderLibrary& shaders)
+    : m_programs{shaders, "objects", {}, kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap},
+      m_ground{shaders.program({.label = "ground", .stages = {"terrain.vert.glsl", "terrain.frag.glsl"}})},
+      m_objects{makeObjectVertexArray()}
+{
+}
+
+void GeometryPass::resize(glm::ivec2 size)
+{
+    if (m_targets.depth.size() == size) return;
+    const auto make = [&](std::string_view label, GLenum format) {
+        return gl::Texture{{.label = label, .size = size, .format = format, .filter = GL_NEAREST}};
+    };
+    m_targets = {.colour = make("gbuffer colour", GL_SRGB8_ALPHA8),
+                 .normal = make("gbuffer normal", GL_RG16_SNORM),
+                 .surface = make("gbuffer surface", GL_RGBA8),
+                 .id = make("gbuffer id", GL_R32UI),
+                 .depth = make("gbuffer depth", GL_DEPTH_COMPONENT32F)};
+    m_framebuffer = gl::Framebuffer{{.label = "gbuffer",
+                                     .colours = {&m_targets.colour, &m_targets.normal, &m_targets.surface, &m_targets.id},
+                                     .depth = &m_targets.depth}};
+}
+
+const GBuffer& GeometryPass::render(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Drawn& drawn)
+{
+    const auto scope = gpu.scope("geometry");
+    resize(viewpoint.eye.size);
+    constexpr GLuint kNobody[4] = {};
+    m_framebuffer.clearDepth(0);
+    glClearNamedFramebufferuiv(m_framebuffer.id(), GL_COLOR, 3, kNobody);
+    m_framebuffer.bind();
+    glEnable(GL_FRAMEBUFFER_SRGB);
+
+    // Objects first: the ground, whose pixels cost more, is then drawn only where it shows.
+    const ModelLibrary& models = scenery.world.models();
+    drawRanges(gpu, m_objects, models, drawn.objects, drawn.objects.opaque, [&](const DrawRange& range) {
+        const Batch& batch = models.batches()[std::size_t(range.batch)];
+        gl::apply({.depthTest = GL_GREATER,
+                   .depthWrite = true,
+                   .cull = GLenum(batch.twoSided ? GL_NONE : GL_BACK),
+                   .clockwise = range.mirrored});
+        bindArrays(gpu, models, batch);
+        return gpu.use(m_programs.of(batch));
+    });
+    if (scenery.terrain.present() && gpu.use(m_ground)) {
+        gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GL_BACK});
+        scenery.terrain.bind(gpu, true);
+        scenery.terrain.draw(gpu, drawn.ground);
+    }
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glTextureBarrier(); // later passes read these textures while depth stays attached, unwritten
+    return m_targets;
+}
+
+} // namespace renderer

@@ -1,0 +1,39 @@
+// The GBuffer: what every pixel shows, before any light.
+#pragma once
+
+#include "renderer/passes/object_programs.h"
+#include "renderer/scenery.h"
+
+namespace renderer {
+
+struct GBuffer {
+    gl::Texture colour;  // base colour (sRGB), occlusion
+    gl::Texture normal;  // octahedral
+    gl::Texture surface; // roughness, metallic, bits, emission
+    gl::Texture id;      // of the object, kTerrainId, 0 for the sky
+    gl::Texture depth;   // reversed
+    void bind(GpuFrame& gpu) const;
+};
+
+class GeometryPass {
+public:
+    explicit GeometryPass(ShaderLibrary& shaders);
+
+    struct Drawn { // the camera's lists, for passes that draw the same things again
+        DrawList objects;
+        Terrain::Draw ground;
+    };
+    const GBuffer& render(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Drawn& drawn);
+    const GBuffer& targets() const { return m_targets; }
+
+private:
+    void resize(glm::ivec2 size);
+
+    ObjectPrograms m_programs;
+    const gl::Program& m_ground;
+    gl::VertexArray m_objects;
+    GBuffer m_targets;
+    gl::Framebuffer m_framebuffer;
+};
+
+} // namespace renderer

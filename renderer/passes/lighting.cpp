@@ -1,0 +1,77 @@
+#include "renderer/passes/lighting.h"
+
+#include "renderer/shaders/shared/bindings.h"
+
+namespace renderer {
+namespace {
+
+// The triangle lies at depth 0, the far end: nearer surfaces hold more, the bare sky holds 0.
+constexpr GLenum kWhereSurfacesAre = GL_LESS;
+constexpr GLenum kWhereSkyIs = GL_EQUAL;
+constexpr float kWideShadows = 1.25f; // softness from which nine taps are taken
+
+} // namespace
+
+std::vector<std::string> lightingDefines(const Viewpoint& viewpoint, const Settings& settings)
+{
+    std::vector<std::string> defines;
+    if (settings.shading == Shading::BlinnPhong) defines.emplace_back("BLINN_PHONG");
+    if (!viewpoint.cascades.empty()) defines.emplace_back("SHADOWS");
+    if (viewpoint.light.shadowSoftness > kWideShadows) defines.emplace_back("WIDE_SHADOWS");
+    if (viewpoint.light.cloudsOn > 0) defines.emplace_back("CLOUD_SHADOWS");
+    return defines;
+}
+
+LightingPass::LightingPass(ShaderLibrary& shaders) : m_shaders{shaders}
+{
+    shaders.fullScreen("lighting", {"SHADOWS", "CLOUD_SHADOWS"});
+}
+
+void LightingPass::resize(const GBuffer& surfaces)
+{
+    if (m_depth == surfaces.depth.id() && m_radiance.texture.size() == surfaces.depth.size()) return;
+    m_depth = surfaces.depth.id();
+    m_radiance.texture = gl::Texture{{.label = "radiance", .size = surfaces.depth.size(), .format = GL_RGBA16F}};
+    m_radiance.framebuffer =
+        gl::Framebuffer{{.label = "radiance", .colours = {&m_radiance.texture}, .depth = &surfaces.depth}};
+}
+
+Radiance& LightingPass::render(GpuFrame& gpu, const GBuffer& surfaces, const Viewpoint& viewpoint, const Settings& settings)
+{
+    const auto scope = gpu.scope("lighting");
+    resize(surfaces);
+    m_radiance.framebuffer.bind();
+    surfaces.bind(gpu);
+    gpu.fullScreen(m_shaders.fullScreen("lighting", lightingDefines(viewpoint, settings)),
+                   {.depthTest = kWhereSurfacesAre}, {});
+    return m_radiance;
+}
+
+SkyPass::SkyPass(ShaderLibrary& shaders)
+    : m_clear{shaders.fullScreen("sky")}, m_cloudy{shaders.fullScreen("sky", {"CLOUDS"})}
+{
+}
+
+void SkyPass::render(GpuFrame& gpu, Radiance& radiance, const Viewpoint& viewpoint)
+{
+    const auto scope = gpu.scope("sky");
+    radiance.framebuffer.bind();
+    gpu.fullScreen(viewpoint.light.cloudsOn > 0 ? m_cloudy : m_clear, {.depthTest = kWhereSkyIs}, {});
+}
+
+FogPass::FogPass(ShaderLibrary& shaders)
+    : m_surfaces{shaders.fullScreen("fog")}, m_sky{shaders.fullScreen("fog", {"OVER_SKY"})}
+{
+}
+
+void FogPass::render(GpuFrame& gpu, Radiance& radiance, const GBuffer& surfaces, const Viewpoint& viewpoint)
+{
+    if (viewpoint.light.fogDensity <= 0) return;
+    const auto scope = gpu.scope("fog");
+    radiance.framebuffer.bind();
+    surfaces.bind(gpu);
+    gpu.fullScreen(m_surfaces, {.depthTest = kWhereSurfacesAre, .blend = gl::Blend::Over}, {});
+    gpu.fullScreen(m_sky, {.depthTest = kWhereSkyIs, .blend = gl::Blend::Over}, {});
+}
+
+} // namespace renderer

@@ -1,0 +1,47 @@
+// Light on every surface of the GBuffer, the sky behind them, and the haze between: scene-linear radiance.
+#pragma once
+
+#include "renderer/passes/geometry.h"
+
+namespace renderer {
+
+struct Radiance {
+    gl::Texture texture;         // RGBA16F
+    gl::Framebuffer framebuffer; // with the GBuffer's depth
+};
+
+class LightingPass {
+public:
+    explicit LightingPass(ShaderLibrary& shaders);
+    Radiance& render(GpuFrame& gpu, const GBuffer& surfaces, const Viewpoint& viewpoint, const Settings& settings);
+
+private:
+    void resize(const GBuffer& surfaces);
+
+    ShaderLibrary& m_shaders;
+    Radiance m_radiance;
+    GLuint m_depth = 0; // that the framebuffer was made with
+};
+
+// The defines that lighting.glsl asks for.
+std::vector<std::string> lightingDefines(const Viewpoint& viewpoint, const Settings& settings);
+
+class SkyPass {
+public:
+    explicit SkyPass(ShaderLibrary& shaders);
+    void render(GpuFrame& gpu, Radiance& radiance, const Viewpoint& viewpoint);
+
+private:
+    const gl::Program &m_clear, &m_cloudy;
+};
+
+class FogPass {
+public:
+    explicit FogPass(ShaderLibrary& shaders);
+    void render(GpuFrame& gpu, Radiance& radiance, const GBuffer& surfaces, const Viewpoint& viewpoint);
+
+private:
+    const gl::Program &m_surfaces, &m_sky;
+};
+
+} // namespace renderer

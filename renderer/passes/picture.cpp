@@ -1,0 +1,103 @@
+#include "renderer/passes/picture.h"
+
+#include "renderer/shaders/shared/bindings.h"
+#include "renderer/shaders/shared/tone_map.h"
+
+namespace renderer {
+
+void PictureTarget::resize(std::string_view label, glm::ivec2 size)
+{
+    if (texture.size() == size) return;
+    texture = gl::Texture{{.label = label, .size = size, .format = GL_RGBA8}};
+    framebuffer = gl::Framebuffer{{.label = label, .colours = {&texture}}};
+}
+
+ToneMapPass::ToneMapPass(ShaderLibrary& shaders) : m_shaders{shaders}, m_smooth{shaders.fullScreen("fxaa")}
+{
+    shaders.fullScreen("tone_map", {"CURVE 0"});
+}
+
+void ToneMapPass::render(GpuFrame& gpu, PictureTarget& canvas, const Radiance& radiance, const Settings& settings)
+{
+    static_assert(int(ToneMap::Agx) == TONE_AGX && int(ToneMap::Reinhard) == TONE_REINHARD);
+    const auto scope = gpu.scope("tone map");
+    const gl::Program& curve = m_shaders.fullScreen("tone_map", {"CURVE " + std::to_string(int(settings.toneMap))});
+    const bool smooth = settings.antiAliasing == AntiAliasing::Fxaa;
+    if (smooth) m_rough.resize("picture with rough edges", canvas.texture.size());
+    PictureTarget& first = smooth ? m_rough : canvas;
+    first.framebuffer.bind();
+    gpu.fullScreen(curve, {}, {{IMAGE_UNIT, &radiance.texture}});
+    if (!smooth) return;
+
+    // Most pixels lie on no edge: they are copied, and the smoothing writes the rest.
+    const glm::ivec2 size = canvas.texture.size();
+    glCopyImageSubData(m_rough.texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, canvas.texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                       size.x, size.y, 1);
+    canvas.framebuffer.bind();
+    gpu.fullScreen(m_smooth, {}, {{IMAGE_UNIT, &m_rough.texture}});
+}
+
+ShowPass::ShowPass(ShaderLibrary& shaders)
+    : m_shaders{shaders},
+      m_flatObjects{shaders.program(
+          {.label = "flat objects", .stages = {"objects.vert.glsl", "flat.frag.glsl"}, .defines = {"POSITION_ONLY"}})},
+      m_flatGround{shaders.program({.label = "flat ground", .stages = {"terrain.vert.glsl", "flat.frag.glsl"}})},
+      m_groundLevels{shaders.program(
+          {.label = "ground levels", .stages = {"terrain.vert.glsl", "flat.frag.glsl"}, .defines = {"LEVELS"}})},
+      m_objects{makeObjectVertexArray()}
+{
+}
+
+// Everything the camera sees once more, in one colour.
+void ShowPass::drawAgain(GpuFrame& gpu, Scenery& scenery, const GeometryPass::Drawn& drawn, const gl::DrawState& state,
+                         bool levels)
+{
+    const ModelLibrary& models = scenery.world.models();
+    scenery.world.bind();
+    drawRanges(gpu, m_objects, models, drawn.objects, drawn.objects.opaque, [&](const DrawRange& range) {
+        gl::DrawState own = state;
+        own.cull = models.batches()[std::size_t(range.batch)].twoSided ? GL_NONE : GL_BACK;
+        own.clockwise = range.mirrored;
+        gl::apply(own);
+        return gpu.use(m_flatObjects);
+    });
+    if (!scenery.terrain.present() || !gpu.use(levels ? m_groundLevels : m_flatGround)) return;
+    gl::DrawState own = state;
+    own.cull = GL_BACK;
+    gl::apply(own);
+    scenery.terrain.bind(gpu, false);
+    scenery.terrain.draw(gpu, drawn.ground);
+}
+
+void ShowPass::render(GpuFrame& gpu, PictureTarget& canvas, Show show, const Radiance& radiance, const GBuffer& surfaces,
+                      Scenery& scenery, const Viewpoint& viewpoint, const GeometryPass::Drawn& drawn)
+{
+    const auto scope = gpu.scope("show");
+    if (show == Show::Overdraw) { // counted where the light was, for want of it
+        radiance.framebuffer.clearColour(0, glm::vec4{0});
+        radiance.framebuffer.bind();
+        gpu.constants(PASS_BINDING, glm::vec4{1});
+        drawAgain(gpu, scenery, drawn, {.blend = gl::Blend::Add}, false);
+    }
+    const bool overBackdrop = show == Show::Wireframe || show == Show::Lod;
+    std::vector<std::string> defines{"MODE " + std::to_string(overBackdrop ? int(Show::Wireframe) : int(show))};
+    if (!viewpoint.cascades.empty()) defines.emplace_back("SHADOWS");
+    canvas.framebuffer.bind();
+    surfaces.bind(gpu);
+    gpu.fullScreen(m_shaders.fullScreen("show", std::move(defines)), {}, {{IMAGE_UNIT, &radiance.texture}});
+    if (!overBackdrop) return;
+
+    if (m_canvas != canvas.texture.id() || m_depth != surfaces.depth.id()) {
+        m_withDepth = gl::Framebuffer{{.label = "picture with depth", .colours = {&canvas.texture}, .depth = &surfaces.depth}};
+        m_canvas = canvas.texture.id();
+        m_depth = surfaces.depth.id();
+    }
+    m_withDepth.bind();
+    const bool lines = show == Show::Wireframe;
+    gpu.constants(PASS_BINDING, lines ? glm::vec4{0.75f, 0.85f, 1, 1} : glm::vec4{0.85f, 0.8f, 0.7f, 1});
+    const gl::DrawState state = lines ? gl::DrawState{.depthTest = GL_GEQUAL, .lines = true, .depthOffset = {1, 4}}
+                                      : gl::DrawState{.depthTest = GL_EQUAL};
+    drawAgain(gpu, scenery, drawn, state, !lines);
+}
+
+} // namespace renderer

@@ -1,0 +1,41 @@
+// From radiance to the picture: exposure, tone mapping, edge smoothing; or one buffer of the frame instead.
+#pragma once
+
+#include "renderer/passes/lighting.h"
+
+namespace renderer {
+
+struct PictureTarget { // RGBA8, sRGB-encoded values
+    gl::Texture texture;
+    gl::Framebuffer framebuffer;
+    void resize(std::string_view label, glm::ivec2 size);
+};
+
+class ToneMapPass {
+public:
+    explicit ToneMapPass(ShaderLibrary& shaders);
+    void render(GpuFrame& gpu, PictureTarget& canvas, const Radiance& radiance, const Settings& settings);
+
+private:
+    ShaderLibrary& m_shaders;
+    const gl::Program& m_smooth;
+    PictureTarget m_rough; // before its edges are smoothed
+};
+
+class ShowPass {
+public:
+    explicit ShowPass(ShaderLibrary& shaders);
+    void render(GpuFrame& gpu, PictureTarget& canvas, Show show, const Radiance& radiance, const GBuffer& surfaces,
+                Scenery& scenery, const Viewpoint& viewpoint, const GeometryPass::Drawn& drawn);
+
+private:
+    void drawAgain(GpuFrame& gpu, Scenery& scenery, const GeometryPass::Drawn& drawn, const gl::DrawState& state, bool levels);
+
+    ShaderLibrary& m_shaders;
+    const gl::Program &m_flatObjects, &m_flatGround, &m_groundLevels;
+    gl::VertexArray m_objects;
+    gl::Framebuffer m_withDepth; // the canvas and the GBuffer's depth
+    GLuint m_canvas = 0, m_depth = 0;
+};
+
+} // namespace renderer

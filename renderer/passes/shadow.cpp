@@ -1,0 +1,90 @@
+#include "renderer/passes/shadow.h"
+
+#include "renderer/shaders/shared/bindings.h"
+
+namespace renderer {
+
+ShadowPass::ShadowPass(ShaderLibrary& shaders)
+    : m_masked{shaders, "shadow", {"SHADOW"}, kFeatureMask},
+      m_solid{shaders.program({.label = "shadow of solids",
+                               .stages = {"objects.vert.glsl", "empty.frag.glsl"},
+                               .defines = {"POSITION_ONLY"}})},
+      m_ground{shaders.program({.label = "shadow of the ground", .stages = {"terrain.vert.glsl", "empty.frag.glsl"}})},
+      m_objects{makeObjectVertexArray()},
+      m_lit{{.label = "no shadow", .size = {1, 1}, .layers = 1, .format = GL_DEPTH_COMPONENT32F, .compare = true}}
+{
+    const float lit = 1;
+    glClearTexImage(m_lit.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, &lit);
+}
+
+void ShadowPass::resize(int resolution, int layers)
+{
+    if (m_maps.size() == glm::ivec2{resolution} && m_maps.layers() == layers) return;
+    m_maps = gl::Texture{{.label = "shadow maps",
+                          .size = glm::ivec2{resolution},
+                          .layers = layers,
+                          .format = GL_DEPTH_COMPONENT32F,
+                          .compare = true}};
+    m_layers.clear();
+    for (int layer = 0; layer < layers; ++layer)
+        m_layers.emplace_back(gl::FramebufferDesc{.label = "shadow cascade", .depth = &m_maps, .depthLayer = layer});
+    m_keys.assign(std::size_t(layers), {});
+}
+
+const gl::Texture& ShadowPass::render(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Settings& settings)
+{
+    const auto scope = gpu.scope("shadows");
+    if (viewpoint.cascades.empty()) {
+        gpu.bind({{SHADOW_UNIT, &m_lit}});
+        return m_lit;
+    }
+    resize(capped(scenery.environment.shadows, settings).resolution, int(viewpoint.cascades.size()));
+    for (std::size_t i = 0; i < viewpoint.cascades.size(); ++i) {
+        const Cascade& cascade = viewpoint.cascades[i];
+        const Key key{.snapped = {cascade.snapped.x, cascade.snapped.y, std::floor(cascade.snapped.z / cascade.texel)},
+                      .radius = cascade.radius,
+                      .towardSun = viewpoint.towardSun,
+                      .world = scenery.world.revision(),
+                      .terrain = scenery.terrain.revision(),
+                      .culling = settings.culling};
+        if (key == m_keys[i]) continue;
+        renderCascade(gpu, scenery, viewpoint, i, settings.culling);
+        m_keys[i] = key;
+    }
+    gpu.constants(VIEW_BINDING, viewpoint.view);
+    gpu.bind({{SHADOW_UNIT, &m_maps}});
+    return m_maps;
+}
+
+void ShadowPass::renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, std::size_t index, bool culling)
+{
+    const Cascade& cascade = viewpoint.cascades[index];
+    glsl::View view = viewpoint.view;
+    view.clipFromRelative = glm::mat4{cascade.clipFromRelative};
+    gpu.constants(VIEW_BINDING, view);
+    m_layers[index].clearDepth(1);
+    m_layers[index].bind();
+
+    // Slopes are pushed away from the light by part of their own depth range over a texel.
+    gl::DrawState state{.depthTest = GL_LESS, .depthWrite = true, .depthClamp = true, .depthOffset = {1.25f, 2.0f}};
+    const std::optional<Volume> volume = culling ? std::optional{cascade.volume} : std::nullopt;
+    World& world = scenery.world;
+    const DrawList list = world.draws(gpu.stream(),
+                                      {.volume = volume, .smallestRadius = float(cascade.texel * 0.5), .required = kCastsShadow},
+                                      false);
+    drawRanges(gpu, m_objects, world.models(), list, list.opaque, [&](const DrawRange& range) {
+        const Batch& batch = world.models().batches()[std::size_t(range.batch)];
+        const bool masked = batch.features & kFeatureMask;
+        gl::apply(state);
+        if (masked) bindArrays(gpu, world.models(), batch);
+        return gpu.use(masked ? m_masked.of(batch) : m_solid);
+    });
+
+    if (!scenery.terrain.present() || !gpu.use(m_ground)) return;
+    const Terrain::Draw ground = scenery.terrain.draws(gpu.stream(), volume);
+    gl::apply(state);
+    scenery.terrain.bind(gpu, false);
+    scenery.terrain.draw(gpu, ground);
+}
+
+} // namespace renderer

@@ -1,0 +1,100 @@
+#include "renderer/passes/sky_tables.h"
+
+#include "renderer/shaders/shared/bindings.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace renderer {
+namespace {
+
+constexpr int kNoiseSize = 512;
+
+// The eye's height has no part in the tables of the air itself.
+bool sameAir(glsl::Atmosphere a, glsl::Atmosphere b)
+{
+    a.eyeAltitude = b.eyeAltitude;
+    a.horizon = b.horizon;
+    return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+bool sameHeight(const glsl::Atmosphere& a, const glsl::Atmosphere& b)
+{
+    return std::abs(a.eyeAltitude - b.eyeAltitude) <= std::max(0.02f * b.eyeAltitude, 0.0005f);
+}
+
+} // namespace
+
+SkyTables::Target SkyTables::makeTarget(std::string_view label, glm::ivec2 size)
+{
+    Target target;
+    target.texture = gl::Texture{{.label = label, .size = size, .format = GL_RGBA32F}};
+    target.framebuffer = gl::Framebuffer{{.label = label, .colours = {&target.texture}}};
+    return target;
+}
+
+SkyTables::SkyTables(ShaderLibrary& shaders)
+    : m_transmittanceProgram{shaders.fullScreen("transmittance")}, m_multiScatterProgram{shaders.fullScreen("multi_scatter")},
+      m_skyViewProgram{shaders.fullScreen("sky_view")},
+      m_skyLightProgram{shaders.program({.label = "sky_light", .stages = {"sky_light.comp.glsl"}})},
+      m_noiseProgram{shaders.fullScreen("noise")},
+      m_transmittance{makeTarget("transmittance", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT})},
+      m_multiScatter{makeTarget("multiple scattering", glm::ivec2{MULTI_SCATTER_SIZE})},
+      m_skyView{makeTarget("sky view", {SKY_VIEW_WIDTH, SKY_VIEW_HEIGHT})}, m_skyLight{"sky light", sizeof(glsl::SkyLight)}
+{
+    m_noise.texture = gl::Texture{{.label = "noise",
+                                   .size = glm::ivec2{kNoiseSize},
+                                   .mips = gl::fullMipCount(glm::ivec2{kNoiseSize}),
+                                   .wrap = GL_REPEAT}};
+    m_noise.framebuffer = gl::Framebuffer{{.label = "noise", .colours = {&m_noise.texture}}};
+}
+
+void SkyTables::update(GpuFrame& gpu, const glsl::Light& light)
+{
+    const auto scope = gpu.scope("sky tables");
+    if (!m_noiseMade) {
+        m_noise.framebuffer.bind();
+        gpu.fullScreen(m_noiseProgram, {}, {});
+        glGenerateTextureMipmap(m_noise.texture.id());
+        m_noiseMade = true;
+    }
+    const bool air = !sameAir(light.atmosphere, m_air) || light.sunRadius != m_sunRadius;
+    if (air) drawAirTables(gpu);
+    if (air || !sameHeight(light.atmosphere, m_air) || light.towardSun != m_towardSun) {
+        drawSkyView(gpu);
+        m_air = light.atmosphere;
+        m_towardSun = light.towardSun;
+        m_sunRadius = light.sunRadius;
+    }
+    bind(gpu);
+}
+
+void SkyTables::drawAirTables(GpuFrame& gpu)
+{
+    m_transmittance.framebuffer.bind();
+    gpu.fullScreen(m_transmittanceProgram, {}, {});
+    m_multiScatter.framebuffer.bind();
+    gpu.fullScreen(m_multiScatterProgram, {}, {{TRANSMITTANCE_UNIT, &m_transmittance.texture}});
+}
+
+void SkyTables::drawSkyView(GpuFrame& gpu)
+{
+    m_skyView.framebuffer.bind();
+    gpu.fullScreen(m_skyViewProgram, {},
+                   {{TRANSMITTANCE_UNIT, &m_transmittance.texture}, {MULTI_SCATTER_UNIT, &m_multiScatter.texture}});
+    bind(gpu);
+    if (!gpu.use(m_skyLightProgram)) return;
+    glDispatchCompute(1, 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void SkyTables::bind(GpuFrame& gpu) const
+{
+    gpu.bind({{SKY_VIEW_UNIT, &m_skyView.texture},
+              {TRANSMITTANCE_UNIT, &m_transmittance.texture},
+              {MULTI_SCATTER_UNIT, &m_multiScatter.texture},
+              {NOISE_UNIT, &m_noise.texture}});
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SKY_LIGHT_BINDING, m_skyLight.id());
+}
+
+} // namespace renderer

@@ -1,0 +1,197 @@
+#include "renderer/pixels.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace renderer {
+namespace {
+
+using Plane = std::vector<glm::vec4>; // linear; colour times alpha where a cutoff asks for it
+
+float decode(float c)
+{
+    return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+}
+float encode(float c)
+{
+    return c <= 0.0031308f ? c * 12.92f : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
+}
+
+const std::array<float, 256>& decodeTable()
+{
+    static const auto table = [] {
+        std::array<float, 256> values{};
+        for (int i = 0; i < 256; ++i)
+            values[std::size_t(i)] = decode(float(i) / 255);
+        return values;
+    }();
+    return table;
+}
+
+// 12 bits of linear light are finer than 8 bits of sRGB nearly everywhere; the darkest steps round the same way.
+std::uint8_t encodeByte(float c)
+{
+    static const auto table = [] {
+        std::array<std::uint8_t, 4097> values{};
+        for (int i = 0; i <= 4096; ++i)
+            values[std::size_t(i)] = std::uint8_t(std::lround(encode(float(i) / 4096) * 255));
+        return values;
+    }();
+    if (c < 0.02f) return std::uint8_t(std::lround(encode(std::max(c, 0.0f)) * 255));
+    return table[std::size_t(std::min(c, 1.0f) * 4096 + 0.5f)];
+}
+
+float channel(const io::Image& image, int x, int y, int c, bool srgb)
+{
+    const std::size_t at = std::size_t(x) * image.channels + c;
+    switch (image.type) {
+    case io::PixelType::U8: {
+        const std::uint8_t v = image.row<std::uint8_t>(y)[at];
+        return srgb ? decodeTable()[v] : float(v) / 255;
+    }
+    case io::PixelType::U16: {
+        const float v = float(image.row<std::uint16_t>(y)[at]) / 65535;
+        return srgb ? decode(v) : v;
+    }
+    case io::PixelType::F32: { // floats are linear already
+        const float v = image.row<float>(y)[at];
+        return std::isfinite(v) ? std::clamp(v, 0.0f, 1.0f) : 0.0f;
+    }
+    }
+    return 0;
+}
+
+Plane planeOf(const io::Image& image, ColourSpace space)
+{
+    const bool srgb = space == ColourSpace::Srgb;
+    const bool grey = image.channels < 3;
+    const bool alpha = image.channels == 2 || image.channels == 4;
+    Plane plane(std::size_t(image.size.x) * image.size.y);
+    for (int y = 0; y < image.size.y; ++y)
+        for (int x = 0; x < image.size.x; ++x) {
+            glm::vec4& texel = plane[std::size_t(y) * image.size.x + x];
+            for (int c = 0; c < 3; ++c)
+                texel[c] = channel(image, x, y, grey ? 0 : c, srgb);
+            texel.w = alpha ? channel(image, x, y, image.channels - 1, false) : 1.0f;
+        }
+    return plane;
+}
+
+void weighByAlpha(Plane& plane)
+{
+    for (glm::vec4& texel : plane) {
+        const float weight = std::max(texel.w, 1 / 512.0f); // fully clear texels keep a trace of their colour
+        texel = {glm::vec3{texel} * weight, texel.w};
+    }
+}
+
+Plane halved(const Plane& from, glm::ivec2 size)
+{
+    const glm::ivec2 to = glm::max(size / 2, glm::ivec2{1});
+    Plane result(std::size_t(to.x) * to.y);
+    for (int y = 0; y < to.y; ++y)
+        for (int x = 0; x < to.x; ++x) {
+            const int x0 = std::min(2 * x, size.x - 1), x1 = std::min(2 * x + 1, size.x - 1);
+            const std::size_t row0 = std::size_t(std::min(2 * y, size.y - 1)) * size.x;
+            const std::size_t row1 = std::size_t(std::min(2 * y + 1, size.y - 1)) * size.x;
+            result[std::size_t(y) * to.x + x] = (from[row0 + x0] + from[row0 + x1] + from[row1 + x0] + from[row1 + x1]) * 0.25f;
+        }
+    return result;
+}
+
+// Bilinear; the caller has halved until it is within a factor of two.
+Plane resized(const Plane& from, glm::ivec2 size, int side)
+{
+    Plane result(std::size_t(side) * side);
+    const glm::vec2 scale = glm::vec2{size} / float(side);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const glm::vec2 at = glm::max((glm::vec2{x, y} + 0.5f) * scale - 0.5f, glm::vec2{0});
+            const glm::ivec2 low = glm::min(glm::ivec2{at}, size - 1);
+            const glm::ivec2 high = glm::min(low + 1, size - 1);
+            const glm::vec2 f = at - glm::vec2{low};
+            const auto texel = [&](int tx, int ty) { return from[std::size_t(ty) * size.x + tx]; };
+            result[std::size_t(y) * side + x] = glm::mix(glm::mix(texel(low.x, low.y), texel(high.x, low.y), f.x),
+                                                         glm::mix(texel(low.x, high.y), texel(high.x, high.y), f.x), f.y);
+        }
+    return result;
+}
+
+float passing(const Plane& plane, float cutoff)
+{
+    const auto count = std::ranges::count_if(plane, [&](const glm::vec4& t) { return t.w >= cutoff; });
+    return float(count) / float(plane.size());
+}
+
+// The factor on alpha with which `share` of the texels pass the cutoff.
+float alphaFactor(const Plane& plane, float share, float cutoff)
+{
+    if (share <= 0 || share >= 1) return 1;
+    std::vector<float> alphas(plane.size());
+    std::ranges::transform(plane, alphas.begin(), [](const glm::vec4& t) { return t.w; });
+    const auto rank = alphas.begin() + std::ptrdiff_t((1 - share) * float(alphas.size() - 1));
+    std::ranges::nth_element(alphas, rank);
+    return *rank > 1e-3f ? std::clamp(cutoff / *rank, 0.5f, 4.0f) : 1.0f;
+}
+
+Pixels bytesOf(const Plane& plane, ColourSpace space, bool weighed, float alphaScale)
+{
+    Pixels pixels(plane.size());
+    for (std::size_t i = 0; i < plane.size(); ++i) {
+        glm::vec4 texel = plane[i];
+        if (weighed) texel = {glm::vec3{texel} / std::max(texel.w, 1 / 512.0f), texel.w * alphaScale};
+        for (int c = 0; c < 3; ++c)
+            pixels[i][c] = space == ColourSpace::Srgb ? encodeByte(texel[c])
+                                                      : std::uint8_t(std::clamp(texel[c], 0.0f, 1.0f) * 255 + 0.5f);
+        pixels[i].w = std::uint8_t(std::clamp(texel.w, 0.0f, 1.0f) * 255 + 0.5f);
+    }
+    return pixels;
+}
+
+} // namespace
+
+int textureSide(glm::ivec2 size, int largest)
+{
+    const unsigned longest = unsigned(std::max({size.x, size.y, 1}));
+    return int(std::min(std::bit_ceil(longest), unsigned(largest)));
+}
+
+std::vector<Pixels> mipChain(const io::Image& image, int side, ColourSpace space, float alphaCutoff)
+{
+    const bool cut = alphaCutoff >= 0;
+    Plane plane = planeOf(image, space);
+    if (cut) weighByAlpha(plane);
+    glm::ivec2 size = image.size;
+    while (size.x >= 2 * side && size.y >= 2 * side) {
+        plane = halved(plane, size);
+        size = glm::max(size / 2, glm::ivec2{1});
+    }
+    if (size != glm::ivec2{side}) plane = resized(plane, size, side);
+
+    const float share = cut ? passing(plane, alphaCutoff) : 0;
+    std::vector<Pixels> mips;
+    for (int s = side;; s /= 2) {
+        const bool scaled = cut && s < side && s >= 4;
+        mips.push_back(bytesOf(plane, space, cut, scaled ? alphaFactor(plane, share, alphaCutoff) : 1.0f));
+        if (s == 1) return mips;
+        plane = halved(plane, glm::ivec2{s});
+    }
+}
+
+io::Image checkerboard()
+{
+    constexpr int kSide = 64;
+    io::Image image{.size = {kSide, kSide}, .channels = 4, .type = io::PixelType::U8};
+    image.bytes.resize(std::size_t(kSide) * kSide * 4);
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            const bool light = ((x / 8) ^ (y / 8)) & 1;
+            const glm::u8vec4 texel = light ? glm::u8vec4{230, 60, 210, 255} : glm::u8vec4{40, 40, 44, 255};
+            image.row<glm::u8vec4>(y)[x] = texel;
+        }
+    return image;
+}
+
+} // namespace renderer

@@ -1,0 +1,27 @@
+// All that the GPU knows of a scene, and how a frame looks at it.
+#pragma once
+
+#include "io/scene/environment.h"
+#include "renderer/eye.h"
+#include "renderer/light.h"
+#include "renderer/terrain.h"
+#include "renderer/world.h"
+
+namespace renderer {
+
+struct Scenery {
+    World world;
+    Terrain terrain;
+    io::Environment environment;
+};
+
+// One frame's camera and light, bound for every pass.
+struct Viewpoint {
+    Eye eye;
+    glm::dvec3 towardSun{0, 1, 0};
+    std::vector<Cascade> cascades; // empty: no shadows
+    glsl::View view;
+    glsl::Light light;
+};
+
+} // namespace renderer

@@ -1,0 +1,16 @@
+// Haze that thins out with height: optical depth in closed form, the sky's own light as its colour.
+#include "sky_tables.glsl"
+
+// What is left of light that comes from `relative`.
+float fogTransmittance(vec3 relative)
+{
+    float x = clamp(relative.y / light.fogHeight, -60.0, 60.0);
+    float share = abs(x) < 1e-3 ? 1.0 - 0.5 * x : (1.0 - exp(-x)) / x;
+    return exp(-light.fogDensity * length(relative) * share);
+}
+
+vec3 fogColour(vec3 direction)
+{
+    vec3 towards = normalize(vec3(direction.x, max(direction.y, 0.015), direction.z));
+    return skyRadiance(towards) * light.fogTint;
+}

@@ -1,0 +1,21 @@
+// What every surface leaves in the GBuffer.
+#include "octahedron.glsl"
+#include "shared/gbuffer.h"
+
+layout(location = 0) out vec4 outColour;  // base colour (sRGB), occlusion
+layout(location = 1) out vec2 outNormal;  // octahedral
+layout(location = 2) out vec4 outSurface; // roughness, metallic, bits, emission as log2
+layout(location = 3) out uint outId;
+
+// Emission shares the base colour's hue: factors of 2^-8 to 2^8 in 255 steps, 0 is none.
+float encodeEmission(float factor)
+{
+    return factor <= 0.0 ? 0.0 : clamp((log2(factor) + 8.0) / 16.0, 1.0 / 255.0, 1.0);
+}
+
+void writeSurface(vec3 colour, float occlusion, vec3 normal, float roughness, float metallic, uint bits, float emission)
+{
+    outColour = vec4(colour, occlusion);
+    outNormal = octahedral(normal);
+    outSurface = vec4(roughness, metallic, float(bits) / 255.0, encodeEmission(emission));
+}

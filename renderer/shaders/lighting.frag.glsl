@@ -1,0 +1,33 @@
+// Every surface of the GBuffer under sun and sky. Runs where the depth test finds one.
+#include "gbuffer_in.glsl"
+#include "lighting.glsl"
+
+layout(location = 0) in vec2 uv;
+layout(location = 1) in vec3 ray;
+layout(location = 0) out vec4 radiance;
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec4 colour = texelFetch(gbufferColour, pixel, 0);
+    vec4 stored = texelFetch(gbufferSurface, pixel, 0);
+    Surface s;
+    s.baseColour = colour.rgb;
+    s.occlusion = colour.a;
+    s.normal = fromOctahedral(texelFetch(gbufferNormal, pixel, 0).xy);
+    s.roughness = max(stored.x, 0.045);
+    s.metallic = stored.y;
+    s.bits = surfaceBits(stored);
+
+    vec3 relative = relativeFromDepth(ray, texelFetch(gbufferDepth, pixel, 0).r);
+    float sun = sunVisibility(relative, s.normal, gl_FragCoord.xy);
+#ifdef CLOUD_SHADOWS
+    sun *= cloudShadow(relative);
+#endif
+    vec3 lit = shade(s, -normalize(relative), sun);
+    float emission = decodeEmission(stored.w);
+    lit = emission > 0.0 ? lit * 0.25 + s.baseColour * emission : lit;
+    lit = (s.bits & SURFACE_UNLIT) != 0u ? s.baseColour / view.exposure : lit; // shown as it is, whatever the light
+    lit = (s.bits & SURFACE_SELECTED) != 0u ? tintSelected(lit) : lit;
+    radiance = vec4(min(lit, vec3(60000.0)), 1.0);
+}

@@ -1,0 +1,116 @@
+// Vertices of placed objects. The instance comes by way of a list that culling wrote, one number a copy.
+#include "octahedron.glsl"
+#include "shared/instance.h"
+#include "shared/material.h"
+#include "view.glsl"
+
+layout(std430, binding = INSTANCES_BINDING) readonly buffer InstanceBlock { Instance instances[]; };
+layout(std430, binding = INSTANCE_FLAGS_BINDING) readonly buffer FlagsBlock { uint instanceFlags[]; };
+layout(std430, binding = MATERIALS_BINDING) readonly buffer MaterialBlock { Material materials[]; };
+
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec2 inNormal;
+layout(location = 2) in uint inTangent;
+layout(location = 3) in vec4 inColour;
+layout(location = 4) in vec2 inUv0;
+layout(location = 5) in vec2 inUv1;
+layout(location = 6) in uint inMaterial;
+layout(location = 7) in uint inInstance;
+
+invariant gl_Position; // passes that draw the same surface again compare depths for equality
+
+#ifndef POSITION_ONLY
+layout(location = 0) out vec2 uvBase;
+#ifndef SHADOW
+layout(location = 1) out vec3 normal;
+layout(location = 2) out vec4 colour;
+layout(location = 3) flat out uvec4 ids;     // object, flags of instance and material, layers (16 bits each) 0-1, 2-3
+layout(location = 4) flat out vec4 surface;  // roughness, metallic, alpha cutoff, normal scale
+#ifdef NORMAL_MAP
+layout(location = 5) out vec4 tangent;
+layout(location = 6) out vec2 uvNormal;
+#endif
+#ifdef SURFACE_MAPS
+layout(location = 7) out vec4 uvSurfaceOcclusion;
+layout(location = 8) out vec2 uvEmissive;
+layout(location = 9) flat out vec4 emissive; // and occlusion strength
+layout(location = 10) flat out uint emissiveLayer;
+#endif
+#ifdef FORWARD
+layout(location = 11) out vec3 relative;
+#endif
+#else
+layout(location = 2) flat out vec3 cutout; // layer, cutoff, alpha factor
+#endif
+#ifdef WRAP
+layout(location = 12) flat out uint wrapModes; // five bits a texture
+#endif
+#endif
+
+vec2 transformed(MaterialTexture use)
+{
+    vec2 uv = (use.mode & TEXTURE_UV1) != 0u ? inUv1 : inUv0;
+    return use.matrix.xy * uv.x + use.matrix.zw * uv.y + use.offset;
+}
+
+uint layerBits(int layer)
+{
+    return uint(layer) & 0xffffu;
+}
+
+void main()
+{
+    Instance instance = instances[inInstance];
+    vec3 axisX = instance.axisX.xyz;
+    vec3 axisY = instance.axisY.xyz;
+    vec3 axisZ = instance.axisZ.xyz;
+    vec3 eyeToOrigin = (instance.positionHigh - view.eyeHigh) + (instance.positionLow - view.eyeLow);
+    vec3 place = eyeToOrigin + axisX * inPosition.x + axisY * inPosition.y + axisZ * inPosition.z;
+    gl_Position = view.clipFromRelative * vec4(place, 1.0);
+
+#ifndef POSITION_ONLY
+    MaterialTexture base = materials[inMaterial].textures[BASE_COLOUR_UNIT];
+    uvBase = transformed(base);
+#ifdef WRAP
+    wrapModes = 0u;
+    for (int i = 0; i < MATERIAL_TEXTURES; ++i)
+        wrapModes |= ((materials[inMaterial].textures[i].mode >> TEXTURE_WRAP_U_SHIFT) & 15u) << (4 * i);
+#endif
+#ifdef SHADOW
+    cutout = vec3(float(base.layer), materials[inMaterial].alphaCutoff, materials[inMaterial].baseColour.a * inColour.a);
+#else
+    // Cofactors turn normals rightly under any scale; a mirror image turns them once more.
+    vec3 n = fromOctahedral(inNormal);
+    vec3 cofactorX = cross(axisY, axisZ);
+    float mirror = sign(dot(axisX, cofactorX));
+    normal = (cofactorX * n.x + cross(axisZ, axisX) * n.y + cross(axisX, axisY) * n.z) * mirror;
+    colour = materials[inMaterial].baseColour * inColour;
+    int normalLayer = materials[inMaterial].textures[NORMAL_UNIT].layer;
+    uint layers = layerBits(base.layer) | layerBits(normalLayer) << 16;
+    uint layers2 = 0u;
+    surface = vec4(materials[inMaterial].roughness, materials[inMaterial].metallic, materials[inMaterial].alphaCutoff,
+                   materials[inMaterial].normalScale);
+#ifdef NORMAL_MAP
+    int bits = int(inTangent);
+    vec2 packed_ = vec2(float(bitfieldExtract(bits, 0, 16)) / 32767.0, float(bitfieldExtract(bits, 16, 15)) / 16383.0);
+    vec3 t = fromOctahedral(clamp(packed_, -1.0, 1.0));
+    tangent = vec4(axisX * t.x + axisY * t.y + axisZ * t.z, inTangent >= 0x80000000u ? -mirror : mirror);
+    uvNormal = transformed(materials[inMaterial].textures[NORMAL_UNIT]);
+#endif
+#ifdef SURFACE_MAPS
+    MaterialTexture surfaceUse = materials[inMaterial].textures[SURFACE_UNIT];
+    MaterialTexture occlusionUse = materials[inMaterial].textures[OCCLUSION_UNIT];
+    MaterialTexture emissiveUse = materials[inMaterial].textures[EMISSIVE_UNIT];
+    uvSurfaceOcclusion = vec4(transformed(surfaceUse), transformed(occlusionUse));
+    uvEmissive = transformed(emissiveUse);
+    emissive = vec4(materials[inMaterial].emissive, materials[inMaterial].occlusionStrength);
+    emissiveLayer = layerBits(emissiveUse.layer);
+    layers2 = layerBits(surfaceUse.layer) | layerBits(occlusionUse.layer) << 16;
+#endif
+    ids = uvec4(instance.objectId, instanceFlags[inInstance] | materials[inMaterial].flags << 8, layers, layers2);
+#ifdef FORWARD
+    relative = place;
+#endif
+#endif
+#endif
+}

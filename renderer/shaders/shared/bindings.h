@@ -1,0 +1,43 @@
+// Where buffers and textures are bound. One table, so that nothing meets by chance.
+#ifndef SHARED_BINDINGS_H
+#define SHARED_BINDINGS_H
+
+// Uniform blocks
+#define VIEW_BINDING 0
+#define LIGHT_BINDING 1
+#define TERRAIN_BINDING 2
+#define PASS_BINDING 3
+
+// Storage blocks
+#define INSTANCES_BINDING 0
+#define INSTANCE_FLAGS_BINDING 1
+#define MATERIALS_BINDING 2
+#define SKY_LIGHT_BINDING 3
+
+// Texture units. A pass either draws materials, or the ground, or reads the GBuffer: the first five are shared.
+#define BASE_COLOUR_UNIT 0
+#define SURFACE_UNIT 1 // roughness in G, metallic in B
+#define NORMAL_UNIT 2
+#define OCCLUSION_UNIT 3
+#define EMISSIVE_UNIT 4
+
+#define HEIGHTS_UNIT 0
+#define GROUND_NORMALS_UNIT 1
+#define LAYER_COLOURS_UNIT 2
+#define LAYER_NORMALS_UNIT 3
+
+#define GBUFFER_COLOUR_UNIT 0
+#define GBUFFER_NORMAL_UNIT 1
+#define GBUFFER_SURFACE_UNIT 2
+#define GBUFFER_ID_UNIT 3
+#define GBUFFER_DEPTH_UNIT 4
+
+#define SHADOW_UNIT 5
+#define SKY_VIEW_UNIT 6
+#define TRANSMITTANCE_UNIT 7
+#define NOISE_UNIT 8
+#define MULTI_SCATTER_UNIT 9
+#define IMAGE_UNIT 10
+#define GROUND_SHADOW_UNIT 11
+
+#endif

@@ -1,0 +1,37 @@
+// Sun, sky, shadows, fog and clouds of one frame.
+#ifndef SHARED_LIGHT_H
+#define SHARED_LIGHT_H
+#include "atmosphere.h"
+#include "shared.h"
+
+#define MAX_CASCADES 4
+
+SHARED_BEGIN
+
+struct Light {
+    vec3 towardSun;     float ambient;       // unit; factor on the light of the sky
+    vec3 sunIrradiance; float sunRadius;     // at the eye, behind the atmosphere; radians
+    vec3 sunAbove;      float sunSolidAngle; // irradiance above the atmosphere; sr
+    vec3 skyFloor;      float cloudsOn;      // radiance that the sky never falls below: stars and airglow
+    mat4 shadowFromRelative[MAX_CASCADES];   // to [0, 1] on x and y, and depth
+    vec4 cascadeEnd;                         // view depth, m
+    vec4 cascadeTexel;                       // m
+    int cascades;       float shadowSoftness; // texels
+    float shadowBias;   float shadowTexel;    // texels; 1 / resolution
+    vec3 fogTint;       float fogDensity;     // at the eye's height, per m; 0: no fog
+    float fogHeight;    float cloudAltitude;  // scale height, m; m above the eye
+    float cloudCoverage; float cloudSoftness;
+    vec2 cloudOrigin;   vec2 cloudWind;       // eye in the tiling cloud field, m; unit
+    vec3 sunAtClouds;   float unused;         // irradiance at the height of the clouds
+    Atmosphere atmosphere;
+};
+SHARED_STRUCT_END(Light, 496)
+
+// What the sky gives to surfaces, integrated on the GPU when the sky changes.
+struct SkyLight {
+    vec4 irradiance[9]; // spherical harmonics of irradiance / pi, per unit of sun irradiance
+};
+SHARED_STRUCT_END(SkyLight, 144)
+
+SHARED_END
+#endif

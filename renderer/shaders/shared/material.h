@@ -1,0 +1,33 @@
+// A material of the shared table: glTF's metallic-roughness with its textures as layers of bound arrays.
+#ifndef SHARED_MATERIAL_H
+#define SHARED_MATERIAL_H
+#include "shared.h"
+SHARED_BEGIN
+
+#define MATERIAL_TEXTURES 5 // by texture unit, BASE_COLOUR_UNIT to EMISSIVE_UNIT
+
+#define MATERIAL_UNLIT 1u
+#define MATERIAL_LEAF 2u      // two-sided and cut out: light shines through
+#define MATERIAL_KEEP_NORMAL 4u // normals are bent away from the face on purpose: not turned on its back
+
+#define TEXTURE_UV1 1u
+#define TEXTURE_WRAP_U_SHIFT 1 // io::Wrap in two bits
+#define TEXTURE_WRAP_V_SHIFT 3
+
+struct MaterialTexture {
+    vec4 matrix; // columns of the 2 x 2 part of uv' = M uv + offset
+    vec2 offset; int layer; uint mode; // layer -1: no texture
+};
+SHARED_STRUCT_END(MaterialTexture, 32)
+
+struct Material {
+    vec4 baseColour;
+    vec3 emissive;  float roughness;
+    float metallic; float normalScale; float occlusionStrength; float alphaCutoff;
+    uint flags; uint unused0; uint unused1; uint unused2;
+    MaterialTexture textures[MATERIAL_TEXTURES];
+};
+SHARED_STRUCT_END(Material, 224)
+
+SHARED_END
+#endif

@@ -1,0 +1,36 @@
+// The ground: where it lies, how its levels of detail morph, and what covers it.
+#ifndef SHARED_TERRAIN_H
+#define SHARED_TERRAIN_H
+#include "shared.h"
+SHARED_BEGIN
+
+#define TERRAIN_QUADS 32 // along a side of a node's grid
+#define TERRAIN_LEVELS 16
+#define TERRAIN_LAYERS 8
+
+struct TerrainPatch {
+    vec2 origin; // texel of the first vertex
+    float step;  // texels between vertices
+    float level;
+};
+SHARED_STRUCT_END(TerrainPatch, 16)
+
+struct TerrainLayer {
+    vec3 colour;  float repeats;   // linear factor; 1 / m
+    vec4 rules;                    // slope from, to (degrees), altitude from, to (m)
+    vec2 widths;  float roughness; float colourLayer; // half transitions, degrees and m; -1: no texture
+    float normalLayer; float unused0; float unused1; float unused2;
+};
+SHARED_STRUCT_END(TerrainLayer, 64)
+
+struct Terrain {
+    vec2 lastTexel;   float metres;     float eyeAbove; // size - 1; m per texel; m, of the eye over the ground
+    vec2 eyeInTerrain; vec2 texelSize;  // eye from the origin, m; 1 / size
+    float eyeHeight;  int layers; float unused0; float unused1; // m
+    vec4 morph[TERRAIN_LEVELS];         // x: distance where it begins, y: 1 / its length
+    TerrainLayer layer[TERRAIN_LAYERS];
+};
+SHARED_STRUCT_END(Terrain, 816)
+
+SHARED_END
+#endif

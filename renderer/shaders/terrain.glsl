@@ -1,0 +1,4 @@
+#include "shared/bindings.h"
+#include "shared/terrain.h"
+
+layout(std140, binding = TERRAIN_BINDING) uniform TerrainBlock { Terrain terrain; };

@@ -1,0 +1,49 @@
+// What a renderer owns: the mirror of the scene, the passes, and what the last frame left.
+#pragma once
+
+#include "renderer/gl/debug.h"
+#include "renderer/passes/geometry.h"
+#include "renderer/passes/lighting.h"
+#include "renderer/passes/overlay.h"
+#include "renderer/passes/picture.h"
+#include "renderer/passes/shadow.h"
+#include "renderer/passes/sky_tables.h"
+#include "renderer/passes/transparent.h"
+#include "renderer/renderer.h"
+#include "renderer/scenery.h"
+#include "renderer/thumbnails.h"
+
+namespace renderer {
+
+struct Renderer::State {
+    explicit State(const Options& options);
+
+    Picture render(const FrameInput& in);
+    Viewpoint look(const FrameInput& in) const;
+    GeometryPass::Drawn choose(GpuFrame& gpu, const FrameInput& in, const Viewpoint& viewpoint);
+
+    gl::DebugOutput debug;
+    ShaderLibrary shaders;
+    GpuStream stream;
+    PassTimers timers;
+    gl::VertexArray empty{"no vertices"};
+    FrameStats stats;
+
+    Scenery scenery;
+    SkyTables skyTables;
+    ShadowPass shadow;
+    GeometryPass geometry;
+    LightingPass lighting;
+    SkyPass sky;
+    FogPass fog;
+    TransparentPass transparent;
+    ToneMapPass toneMap;
+    ShowPass show;
+    OverlayPass overlay;
+    Thumbnails thumbnails;
+
+    PictureTarget canvas;
+    Radiance* radiance = nullptr; // of the last frame
+};
+
+} // namespace renderer

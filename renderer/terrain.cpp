@@ -1,0 +1,281 @@
+#include "renderer/terrain.h"
+
+#include "renderer/pixels.h"
+#include "renderer/shaders/shared/bindings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace renderer {
+namespace {
+
+constexpr int kSide = TERRAIN_QUADS + 1;             // vertices
+constexpr int kQuarter = TERRAIN_QUADS / 2;          // quads
+constexpr std::uint32_t kQuarterIndices = kQuarter * kQuarter * 6;
+constexpr double kErrorPixels = 1.5;
+constexpr int kLargestLayer = 1024; // texels
+
+std::vector<glm::i16vec2> normalsOf(const io::HeightMap& map)
+{
+    std::vector<glm::i16vec2> normals(std::size_t(map.size.x) * map.size.y);
+    const auto step = float(map.metresPerTexel);
+    for (int z = 0; z < map.size.y; ++z)
+        for (int x = 0; x < map.size.x; ++x) {
+            const int x0 = std::max(x - 1, 0), x1 = std::min(x + 1, map.size.x - 1);
+            const int z0 = std::max(z - 1, 0), z1 = std::min(z + 1, map.size.y - 1);
+            const float dx = (map.at(x0, z) - map.at(x1, z)) / (step * float(x1 - x0));
+            const float dz = (map.at(x, z0) - map.at(x, z1)) / (step * float(z1 - z0));
+            const float scale = 32767 / std::sqrt(dx * dx + dz * dz + 1);
+            normals[std::size_t(z) * map.size.x + x] = {std::int16_t(std::lround(dx * scale)), std::int16_t(std::lround(dz * scale))};
+        }
+    return normals;
+}
+
+// Brightness stands for the height of a cover's texels: stones over the earth between them.
+void heightIntoAlpha(Pixels& pixels)
+{
+    for (glm::u8vec4& p : pixels)
+        p.w = std::uint8_t((p.x * 54 + p.y * 183 + p.z * 19) >> 8);
+}
+
+using Images = std::vector<std::shared_ptr<const io::Image>>;
+
+int sideFor(const Images& images)
+{
+    int side = 1;
+    for (const auto& image : images)
+        if (image) side = std::max(side, textureSide(image->size, kLargestLayer));
+    return side;
+}
+
+gl::Texture layerArray(std::string_view label, const Images& images, ColourSpace space)
+{
+    const int side = sideFor(images);
+    gl::Texture array{{.label = label,
+                       .size = glm::ivec2{side},
+                       .layers = std::max(int(images.size()), 1),
+                       .format = GLenum(space == ColourSpace::Srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8),
+                       .mips = gl::fullMipCount(glm::ivec2{side}),
+                       .wrap = GL_REPEAT}};
+    for (std::size_t layer = 0; layer < images.size(); ++layer) {
+        if (!images[layer]) continue;
+        std::vector<Pixels> mips = mipChain(*images[layer], side, space, -1);
+        for (std::size_t mip = 0; mip < mips.size(); ++mip) {
+            if (space == ColourSpace::Srgb) heightIntoAlpha(mips[mip]);
+            array.upload(mips[mip].data(), GL_RGBA, GL_UNSIGNED_BYTE, int(mip), int(layer));
+        }
+    }
+    return array;
+}
+
+glsl::TerrainLayer layerBlock(const io::TerrainLayer& layer, bool colour, bool normal, int index)
+{
+    glsl::TerrainLayer block{};
+    block.colour = layer.colour;
+    block.repeats = 1 / std::max(layer.metres, 1e-3f);
+    block.rules = {layer.slope, layer.altitude};
+    block.widths = {std::max(layer.blend, 1e-3f) * 7.5f, std::max(layer.blend, 1e-3f) * 20};
+    block.roughness = layer.roughness;
+    block.colourLayer = colour ? float(index) : -1.0f;
+    block.normalLayer = normal ? float(index) : -1.0f;
+    return block;
+}
+
+std::uint32_t quarterOffset(int quarter)
+{
+    return std::uint32_t(quarter) * kQuarterIndices;
+}
+
+} // namespace
+
+Terrain::Terrain()
+{
+    makeGrid();
+}
+
+// Vertices of one grid; indices by quarter, so that a quarter or the whole is one run.
+void Terrain::makeGrid()
+{
+    std::vector<glm::u8vec2> vertices;
+    for (int z = 0; z < kSide; ++z)
+        for (int x = 0; x < kSide; ++x)
+            vertices.emplace_back(x, z);
+    std::vector<std::uint16_t> indices;
+    for (int quarter = 0; quarter < 4; ++quarter)
+        for (int z = 0; z < kQuarter; ++z)
+            for (int x = 0; x < kQuarter; ++x) {
+                const int column = x + (quarter & 1) * kQuarter;
+                const int row = z + (quarter >> 1) * kQuarter;
+                const int a = row * kSide + column, b = a + 1, c = a + kSide, d = c + 1;
+                for (const int i : {a, c, b, b, c, d}) // the diagonal from (x+1, z) to (x, z+1)
+                    indices.push_back(std::uint16_t(i));
+            }
+    m_gridVertices = gl::Buffer{"ground grid", vertices.size() * sizeof(vertices[0])};
+    m_gridVertices.write(0, std::as_bytes(std::span{vertices}));
+    m_gridIndices = gl::Buffer{"ground grid indices", indices.size() * sizeof(indices[0])};
+    m_gridIndices.write(0, std::as_bytes(std::span{indices}));
+
+    m_array = gl::VertexArray{"ground"};
+    m_array.attribute(0, 0, 2, GL_UNSIGNED_BYTE, 0);
+    m_array.attribute(1, 1, 4, GL_FLOAT, 0);
+    m_array.perInstance(1);
+    m_array.source(0, m_gridVertices.id(), 0, sizeof(glm::u8vec2));
+    m_array.indices(m_gridIndices.id());
+}
+
+void Terrain::update(const io::Terrain& terrain, const io::Assets& assets)
+{
+    ++m_revision;
+    const bool usable = assets.heights && assets.heights->size.x >= 2 && assets.heights->size.y >= 2;
+    if (!usable) {
+        m_map = nullptr;
+        m_heights = {};
+        m_normals = {};
+        m_nodes.clear();
+        return;
+    }
+    if (m_map != assets.heights) {
+        m_map = assets.heights;
+        uploadHeights();
+    }
+    uploadLayers(terrain, assets);
+}
+
+void Terrain::uploadHeights()
+{
+    const io::HeightMap& map = *m_map;
+    m_tree = TerrainTree{map};
+    m_heights = gl::Texture{{.label = "ground heights", .size = map.size, .format = GL_R32F, .filter = GL_NEAREST}};
+    m_heights.upload(map.metres.data(), GL_RED, GL_FLOAT);
+    m_normals = gl::Texture{{.label = "ground normals",
+                             .size = map.size,
+                             .format = GL_RG16_SNORM,
+                             .mips = gl::fullMipCount(map.size)}};
+    const std::vector<glm::i16vec2> normals = normalsOf(map);
+    m_normals.upload(normals.data(), GL_RG, GL_SHORT);
+    glGenerateTextureMipmap(m_normals.id());
+    m_block.lastTexel = glm::vec2{map.size - 1};
+    m_block.texelSize = 1.0f / glm::vec2{map.size};
+    m_block.metres = float(map.metresPerTexel);
+}
+
+void Terrain::uploadLayers(const io::Terrain& terrain, const io::Assets& assets)
+{
+    const std::size_t count = std::min<std::size_t>(terrain.layers.size(), TERRAIN_LAYERS);
+    Images colours(count), normals(count);
+    for (std::size_t i = 0; i < count && i < assets.layers.size(); ++i) {
+        colours[i] = assets.layers[i].colour;
+        normals[i] = assets.layers[i].normal;
+    }
+    m_block.layers = int(count);
+    for (std::size_t i = 0; i < count; ++i)
+        m_block.layer[i] = layerBlock(terrain.layers[i], colours[i] != nullptr, normals[i] != nullptr, int(i));
+    if (count == 0) { // bare earth
+        m_block.layers = 1;
+        m_block.layer[0] = layerBlock({.colour = {0.16f, 0.17f, 0.11f}}, false, false, 0);
+    }
+    Images images = colours;
+    images.insert(images.end(), normals.begin(), normals.end());
+    if (images == m_layerImages && m_layerColours) return; // a rule or a colour changed, no picture
+    m_layerColours = layerArray("ground colours", colours, ColourSpace::Srgb);
+    m_layerNormals = layerArray("ground bumps", normals, ColourSpace::Linear);
+    m_layerImages = std::move(images);
+}
+
+void Terrain::aim(const Eye& eye)
+{
+    m_nodes.clear();
+    if (!present()) return;
+    const io::HeightMap& map = *m_map;
+    const glm::dvec2 flat{eye.position.x, eye.position.z};
+    const glm::dvec2 inTerrain = flat - map.origin;
+    const glm::dvec2 reach = glm::dvec2{map.size - 1} * map.metresPerTexel;
+    const glm::dvec2 nearest = map.origin + glm::clamp(inTerrain, glm::dvec2{0}, reach);
+    const double ground = map.height(nearest.x, nearest.y).value_or(map.min);
+
+    const double pixelAngle = 2 * eye.tanHalfFov / eye.size.y;
+    const TerrainTree::Eye treeEye{.texel = inTerrain / map.metresPerTexel,
+                                   .eyeAbove = std::max(eye.position.y - ground, 0.0) / map.metresPerTexel,
+                                   .firstRange = m_tree.firstRange(kErrorPixels, pixelAngle, map.metresPerTexel)};
+    m_nodes = m_tree.select(treeEye);
+
+    m_block.eyeInTerrain = glm::vec2{inTerrain};
+    m_block.eyeHeight = float(eye.position.y);
+    m_block.eyeAbove = float(treeEye.eyeAbove * map.metresPerTexel);
+    for (int level = 0; level < TERRAIN_LEVELS; ++level) {
+        // Whole before the range ends, begun only after the finer neighbours' last corner.
+        const double range = treeEye.firstRange * std::exp2(level) * map.metresPerTexel;
+        const bool coarsest = level + 1 >= m_tree.levels();
+        const double begin = range * 0.8, end = range * 0.985;
+        m_block.morph[level] = coarsest ? glm::vec4{1e30f, 0, 0, 0} : glm::vec4{float(begin), float(1 / (end - begin)), 0, 0};
+    }
+}
+
+Terrain::Draw Terrain::draws(GpuStream& stream, const std::optional<Volume>& volume) const
+{
+    Draw draw;
+    if (m_nodes.empty()) return draw;
+    const auto seen = [&](const GroundNode& node) {
+        if (!volume) return true;
+        const int side = TERRAIN_QUADS << node.level;
+        const glm::ivec2 last = glm::min(node.origin + side, m_map->size - 1);
+        const glm::dvec2 low = m_map->origin + glm::dvec2{node.origin} * m_map->metresPerTexel;
+        const glm::dvec2 high = m_map->origin + glm::dvec2{last} * m_map->metresPerTexel;
+        const glm::dvec3 centre = glm::dvec3{low.x + high.x, double(node.low) + node.high, low.y + high.y} * 0.5;
+        const glm::dvec3 half = glm::dvec3{high.x, node.high, high.y} - centre;
+        return std::ranges::all_of(volume->planes, [&](const glm::dvec4& p) {
+            return glm::dot(glm::dvec3{p}, centre) + p.w + glm::dot(glm::abs(glm::dvec3{p}), half) >= 0;
+        });
+    };
+    std::vector<glsl::TerrainPatch> patches;
+    std::vector<std::array<std::uint32_t, 5>> commands;
+    for (int kind = -1; kind < 4; ++kind) { // wholes, then the quarters
+        const auto first = std::uint32_t(patches.size());
+        for (const GroundNode& node : m_nodes)
+            if (node.quarter == kind && seen(node))
+                patches.push_back({glm::vec2{node.origin}, float(1 << node.level), float(node.level)});
+        const auto instances = std::uint32_t(patches.size()) - first;
+        if (instances == 0) continue;
+        const std::uint32_t indices = kind < 0 ? 4 * kQuarterIndices : kQuarterIndices;
+        commands.push_back({indices, instances, quarterOffset(std::max(kind, 0)), 0, first});
+        draw.triangles += std::uint64_t(instances) * (indices / 3);
+    }
+    if (patches.empty()) return draw;
+    draw.patches = stream.put(std::span<const glsl::TerrainPatch>{patches});
+    draw.commands = stream.put(std::span<const std::array<std::uint32_t, 5>>{commands});
+    draw.commandCount = std::uint32_t(commands.size());
+    return draw;
+}
+
+void Terrain::bind(GpuFrame& gpu, bool shading) const
+{
+    gpu.constants(TERRAIN_BINDING, m_block);
+    gpu.bind({{HEIGHTS_UNIT, &m_heights}});
+    if (shading)
+        gpu.bind({{GROUND_NORMALS_UNIT, &m_normals}, {LAYER_COLOURS_UNIT, &m_layerColours}, {LAYER_NORMALS_UNIT, &m_layerNormals}});
+}
+
+void Terrain::draw(GpuFrame& gpu, const Draw& draw)
+{
+    if (draw.commandCount == 0) return;
+    m_array.source(1, draw.patches.buffer, draw.patches.offset, sizeof(glsl::TerrainPatch));
+    glBindVertexArray(m_array.id());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, draw.commands.buffer);
+    const auto* offset = reinterpret_cast<const void*>(draw.commands.offset);
+    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, offset, GLsizei(draw.commandCount), 0);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+    gpu.count(draw.commandCount, draw.triangles);
+}
+
+io::WorldBox Terrain::bounds() const
+{
+    io::WorldBox box;
+    if (!m_map) return box;
+    const glm::dvec2 high = m_map->origin + glm::dvec2{m_map->size - 1} * m_map->metresPerTexel;
+    box.add(glm::dvec3{m_map->origin.x, m_map->min, m_map->origin.y});
+    box.add(glm::dvec3{high.x, m_map->max, high.y});
+    return box;
+}
+
+} // namespace renderer

@@ -1,0 +1,55 @@
+// The ground on the GPU: heights, normals, layers, and the grids that a view draws.
+#pragma once
+
+#include "io/scene/assets.h"
+#include "io/scene/terrain.h"
+#include "renderer/eye.h"
+#include "renderer/gpu_frame.h"
+#include "renderer/terrain_tree.h"
+
+namespace renderer {
+
+class Terrain {
+public:
+    Terrain();
+    void update(const io::Terrain& terrain, const io::Assets& assets);
+    bool present() const { return m_heights.id() != 0; }
+
+    // Chooses the levels of detail for an eye. All views of the frame share them, shadows too, so that no surface
+    // casts on another level of itself.
+    void aim(const Eye& eye);
+
+    // The chosen nodes that a volume (or, without one, everybody) sees; the block and textures are bound.
+    struct Draw {
+        GpuStream::Piece patches, commands;
+        std::uint32_t commandCount = 0;
+        std::uint64_t triangles = 0;
+    };
+    Draw draws(GpuStream& stream, const std::optional<Volume>& volume) const;
+    void bind(GpuFrame& gpu, bool shading) const;
+    void draw(GpuFrame& gpu, const Draw& draw);
+
+    io::WorldBox bounds() const;
+    std::uint64_t revision() const { return m_revision; }
+    const io::HeightMap* heights() const { return m_map.get(); }
+
+private:
+    void uploadHeights();
+    void uploadLayers(const io::Terrain& terrain, const io::Assets& assets);
+    void makeGrid();
+
+    std::shared_ptr<const io::HeightMap> m_map;
+    TerrainTree m_tree;
+    gl::Texture m_heights; // m
+    gl::Texture m_normals; // x and z of the unit normal
+    gl::Texture m_layerColours; // height of the cover in alpha
+    gl::Texture m_layerNormals;
+    gl::Buffer m_gridVertices, m_gridIndices;
+    gl::VertexArray m_array;
+    std::vector<std::shared_ptr<const io::Image>> m_layerImages; // those uploaded
+    glsl::Terrain m_block{};
+    std::vector<GroundNode> m_nodes;
+    std::uint64_t m_revision = 0;
+};
+
+} // namespace renderer

@@ -1,0 +1,53 @@
+// The ground's levels of detail: a quadtree over the height map, and the nodes that an eye needs.
+#pragma once
+
+#include "io/scene/terrain.h"
+#include "renderer/shaders/shared/terrain.h"
+
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace renderer {
+
+// A node, or one quarter of it where its other quarters are shown finer.
+struct GroundNode {
+    glm::ivec2 origin{0};  // texel
+    int level = 0;         // 2^level texels between vertices
+    int quarter = -1;      // -1 the whole, else x + 2 z
+    float low = 0, high = 0; // m
+};
+
+class TerrainTree {
+public:
+    TerrainTree() = default;
+    explicit TerrainTree(const io::HeightMap& heights);
+
+    int levels() const { return int(m_levels.size()); }
+
+    // Levels by distance along the ground: level l ends at range(l). `eyeAbove` is the height over the ground, a
+    // part of every distance, so that from high up all is coarse.
+    struct Eye {
+        glm::dvec2 texel{0};
+        double eyeAbove = 0;   // texels
+        double firstRange = 0; // texels; each further level reaches twice as far
+    };
+    std::vector<GroundNode> select(const Eye& eye) const;
+
+    // The finest level's range for an error of at most `pixels`, from how far each level strays from the map.
+    double firstRange(double pixels, double pixelAngle, double metresPerTexel) const;
+
+private:
+    struct Level {
+        glm::ivec2 nodes{0};
+        std::vector<glm::vec2> lowHigh; // m
+        float error = 0;                // m, the most that nearly all of this level strays from the finest
+    };
+    void measureError(const io::HeightMap& heights);
+    bool selectNode(const Eye& eye, int level, glm::ivec2 node, std::vector<GroundNode>& out) const;
+    bool touches(const Eye& eye, int level, glm::ivec2 node, double range) const;
+
+    std::vector<Level> m_levels;
+    glm::ivec2 m_size{0};
+};
+
+} // namespace renderer

@@ -1,0 +1,77 @@
+// The GPU's mirror of a scene's objects: one record each, found by id, uploaded only when it changed.
+#pragma once
+
+#include "io/scene/assets.h"
+#include "io/scene/changes.h"
+#include "io/scene/scene.h"
+#include "renderer/cull.h"
+#include "renderer/draw_list.h"
+#include "renderer/model_library.h"
+#include "renderer/shaders/shared/instance.h"
+
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace renderer {
+
+class World {
+public:
+    void update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes);
+    void select(std::span<const io::ObjectId> ids); // marked in the GBuffer
+    void upload();                                  // what changed since the last call
+    void bind() const;                              // instances, flags and materials as storage blocks
+
+    // Draws for all that `request` lets through.
+    DrawList draws(GpuStream& stream, const CullRequest& request, bool blended) const;
+
+    const ModelLibrary& models() const { return m_models; }
+    int modelOf(io::TemplateId id) const; // -1: none
+    std::size_t instances() const { return m_records.size(); }
+    io::WorldBox boundsOf(std::span<const io::ObjectId> ids) const;
+    io::WorldBox bounds() const { return m_bounds; } // at least everything; does not shrink until the next scene
+    std::uint64_t uploadedBytes() const { return m_uploadedBytes; } // of instances, since the start
+    std::uint64_t revision() const { return m_revision; }           // counts changes of what is drawn
+
+private:
+    void rebuild(const io::Scene& scene, const io::Assets& assets);
+    void updateTemplates(const io::Scene& scene, const io::Assets& assets, std::span<const io::TemplateId> ids);
+    void readTemplate(const io::Scene& scene, const io::Assets& assets, io::TemplateId id);
+    void updateObject(const io::Scene& scene, io::ObjectId id);
+    void place(std::uint32_t slot, const io::Object& object);
+    void remove(std::uint32_t slot);
+    void touch(std::uint32_t slot);
+    void uploadRecords();
+    void uploadFlags();
+
+    struct TemplateState {
+        int model = -1;
+        bool castShadow = true;
+        bool marker = false;
+    };
+    ModelLibrary m_models;
+    std::vector<TemplateState> m_templates; // by slot
+
+    // By slot, all the same length.
+    std::vector<glsl::Instance> m_records;
+    std::vector<std::uint32_t> m_bins;  // model * 2 + mirrored
+    std::vector<std::uint32_t> m_flags; // INSTANCE_SELECTED
+    Spheres m_spheres;
+    std::unordered_map<std::uint32_t, std::uint32_t> m_slotOf; // by object id
+
+    std::vector<std::uint32_t> m_dirty; // slots, perhaps more than once
+    bool m_allDirty = false;
+    bool m_flagsDirty = true;
+    std::vector<io::ObjectId> m_selection;
+    gl::Buffer m_recordBuffer;
+    gl::Buffer m_flagBuffer;
+    io::WorldBox m_bounds;
+    std::uint64_t m_uploadedBytes = 0;
+    std::uint64_t m_revision = 0;
+    mutable std::vector<std::uint32_t> m_visible; // kept between frames for its memory
+};
+
+glsl::Instance instanceOf(const io::Transform& transform, io::ObjectId id);
+bool isMirrored(const io::Transform& transform);
+
+} // namespace renderer
