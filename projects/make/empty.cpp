@@ -1,0 +1,35 @@
+// A starter: gentle hills, grass and rock, a handful of things to place.
+#include "projects/make/noise.h"
+#include "projects/make/stage.h"
+#include "projects/make/terrain_forms.h"
+#include "projects/make/worlds.h"
+
+namespace make {
+
+io::Status makeEmpty(const std::filesystem::path& folder, Textures& textures)
+{
+    io::HeightMap land = blankHeights(513, 1);
+    fill(land, [](glm::vec2 p) { return 12 + 9 * fbm(p / 160.0f, 11, {.count = 4}) * glm::smoothstep(10.0f, 130.0f, glm::length(p)); });
+    finish(land);
+    Stage stage{folder, "Empty", land, textures};
+    for (const char* name : {"oak", "fir", "rock_mossy", "bush"})
+        stage.addModels({&entryOf(name), 1});
+    stage.addMarker("spawn_point", {0.6f, 1.8f, 0.6f});
+    io::TerrainLayer grass = layer("Grass", "ground_grass", 3.2f);
+    io::TerrainLayer dry = layer("Dry grass", "ground_dry", 3.4f);
+    dry.slope = {9, 90};
+    dry.blend = 0.5f;
+    io::TerrainLayer scree = layer("Scree", "ground_scree", 4);
+    scree.slope = {22, 90};
+    io::TerrainLayer rock = layer("Rock", "ground_rock", 8);
+    rock.slope = {36, 90};
+    if (io::Status ground = stage.addGround({grass, dry, scree, rock}, 512, -20, 60); !ground) return ground;
+    io::Environment environment;
+    environment.time = 9.5f;
+    environment.fog.density = 0.0004f;
+    stage.setEnvironment(environment);
+    stage.setViews({cameraAt(stage, "start", {0, 6, 40}, {0, 2, 0}, 60)}, {});
+    return stage.save();
+}
+
+} // namespace make

@@ -1,0 +1,67 @@
+// A world being furnished: templates with their models, and objects that stand on its ground.
+#pragma once
+
+#include "io/files/project.h"
+#include "projects/make/models.h"
+#include "projects/make/random.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace make {
+
+struct Put {
+    std::string_view what;       // a template
+    glm::vec2 at{0};             // world x and z
+    std::optional<float> yaw;    // degrees; drawn from the template's range when not given
+    std::optional<float> scale;  // likewise
+    std::string name;
+    float lift = 0;              // m above where it would stand
+    io::ObjectId parent = io::ObjectId::None;
+};
+
+class Stage {
+public:
+    Stage(std::filesystem::path folder, std::string name, io::HeightMap heights, Textures& textures);
+
+    void addModels(std::span<const Entry> entries);
+    void addMarker(const std::string& name, glm::vec3 size, bool casts = false);
+    io::ObjectId addGroup(const std::string& name, glm::vec2 at);
+    io::ObjectId put(const Put& put, Random& random);
+
+    // Ground that something of `radius` metres may take: no one else's is within it.
+    bool isFree(glm::vec2 at, float radius) const;
+    void take(glm::vec2 at, float radius);
+
+    const io::HeightMap& heights() const { return m_heights; }
+    std::size_t objects() const { return m_world.scene.objects().size(); }
+    std::size_t count(std::string_view what) const;
+
+    void setEnvironment(io::Environment environment) { m_world.scene.exchange(std::move(environment)); }
+    void setViews(std::vector<io::Camera> cameras, std::vector<io::CameraPath> paths);
+
+    // The ground's file, its layers and their textures (`side` texels), and how high the file reaches.
+    io::Status addGround(std::vector<io::TerrainLayer> layers, int side, double minHeight, double maxHeight);
+    io::Status save(); // models and all text
+
+private:
+    io::Transform placed(const Put& put, const io::Template& what, Random& random) const;
+
+    io::World m_world;
+    io::HeightMap m_heights;
+    Textures& m_textures;
+    std::map<std::string, std::string> m_models; // file inside the project, its bytes
+    std::map<std::string, float, std::less<>> m_depths; // how far a template's model reaches below its origin, m
+    std::map<std::pair<int, int>, std::vector<glm::vec3>> m_taken; // x, z, radius by square of 8 m
+};
+
+io::TerrainLayer layer(const char* name, const char* texture, float metres);
+
+// A camera at `eye` that looks at `target`; heights are above the ground there.
+io::Camera cameraAt(const Stage& stage, const std::string& name, glm::vec3 eye, glm::vec3 target, float fov);
+io::PathKey keyAt(const Stage& stage, double time, glm::vec3 eye, glm::vec3 target, float fov = 60);
+
+} // namespace make

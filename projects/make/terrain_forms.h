@@ -1,0 +1,40 @@
+// Land before things stand on it: height fields made from noise, worn by water and by falling stones.
+#pragma once
+
+#include "io/scene/terrain.h"
+
+#include <cstdint>
+#include <functional>
+
+namespace make {
+
+// A square field of `side` texels, centred on the world's origin.
+io::HeightMap blankHeights(int side, double metresPerTexel);
+
+// heights(x, z) in metres for each texel.
+void fill(io::HeightMap& map, const std::function<float(glm::vec2)>& heights);
+void change(io::HeightMap& map, const std::function<float(glm::vec2, float)>& heights); // gets what was there
+
+// Twice the resolution over the same ground: side 2n - 1, cubic between the old texels.
+io::HeightMap doubled(const io::HeightMap& map);
+
+// Rain drops that run downhill, carry soil away where they are fast and leave it where they slow down
+// (Beyer 2015, "Implementation of a method for hydraulic erosion").
+struct Rain {
+    int drops = 100000;
+    int steps = 40;       // a drop's life, texels
+    int brush = 3;        // radius of the soil taken at once, texels
+    float strength = 1;   // of taking and leaving
+    std::uint64_t seed = 1;
+};
+void rainOn(io::HeightMap& map, const Rain& rain);
+
+// Soil steeper than `degrees` slides until it rests.
+void settle(io::HeightMap& map, float degrees, int passes);
+
+void finish(io::HeightMap& map); // min and max
+
+float slopeAt(const io::HeightMap& map, glm::vec2 place);   // degrees
+float heightAt(const io::HeightMap& map, glm::vec2 place);  // m, clamped to the field
+
+} // namespace make

@@ -1,0 +1,17 @@
+// The steps in which the valley is furnished. Each takes ground on the stage, so the order matters: what must stand
+// where it stands comes first.
+#pragma once
+
+#include "projects/make/stage.h"
+
+namespace make {
+
+void setCamp(Stage& stage);
+void layRocks(Stage& stage);
+void plantForest(Stage& stage);
+void plantUndergrowth(Stage& stage);
+void setViews(Stage& stage);
+
+float forestAt(const Stage& stage, glm::vec2 p); // 0 open … 1 deep forest
+
+} // namespace make

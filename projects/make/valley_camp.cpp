@@ -1,0 +1,75 @@
+// The camp in its clearing: tent and logs about the fire, an axe in its chopping block, a hut behind a fence.
+#include "projects/make/valley.h"
+#include "projects/make/valley_land.h"
+
+#include <cmath>
+
+namespace make {
+namespace {
+
+constexpr glm::vec2 kHut{-24, -19}; // from the fire, m
+constexpr float kHutYaw = 52;       // its door looks at the fire
+
+struct Piece {
+    std::string_view what;
+    glm::vec2 offset; // from the fire
+    float yaw;
+    float scale = 1;
+    const char* name = "";
+    float radius = 1.2f; // ground it takes
+    float lift = 0;
+};
+
+const Piece kPieces[] = {
+    {"campfire", {0, 0}, 20, 1, "Campfire", 2.2f},
+    {"tent", {-6.6f, 1.2f}, 84, 1.1f, "Tent", 3.2f},
+    {"log", {0.4f, 3.0f}, 8, 1.1f, "Log seat"},
+    {"log", {2.9f, -0.6f}, 98, 1, "Log seat"},
+    {"log", {-0.6f, -3.0f}, -14, 1.05f, "Log seat"},
+    {"stump", {6.4f, -4.0f}, 30, 0.9f, "Chopping block"},
+    {"axe", {6.4f, -4.0f}, 200, 1.25f, "Axe", 0.1f, 0.435f},
+    {"log", {7.7f, -5.2f}, 40, 0.5f, "Firewood", 0.5f},
+    {"log", {8.1f, -4.3f}, 120, 0.45f, "Firewood", 0.5f},
+    {"log", {6.9f, -5.9f}, 75, 0.5f, "Firewood", 0.5f},
+    {"hut", kHut, kHutYaw, 1, "Hut", 5.2f},
+    {"log", kHut + glm::vec2{4.6f, -1.2f}, 50, 1, "Firewood", 0.8f},
+    {"log", kHut + glm::vec2{5.0f, -1.0f}, 53, 0.95f, "Firewood", 0.8f},
+};
+
+// Fences run in straight lengths of 2.5 m from corner to corner; a gap is the way in.
+void addFences(Stage& stage, io::ObjectId group, Random& random)
+{
+    const float turn = glm::radians(kHutYaw);
+    const glm::vec2 right{std::cos(turn), -std::sin(turn)}, front{std::sin(turn), std::cos(turn)};
+    const auto corner = [&](float x, float z) { return kCamp + kHut + right * x + front * z; };
+    const glm::vec2 line[] = {corner(-9, 1), corner(-9, 11), corner(-1.2f, 11), corner(1.3f, 11), corner(9, 11), corner(9, -2)};
+    for (std::size_t i = 0; i + 1 < std::size(line); ++i) {
+        if (i == 2) continue; // the way in
+        const glm::vec2 along = line[i + 1] - line[i];
+        const int pieces = std::max(1, int(std::round(glm::length(along) / 2.55f)));
+        for (int k = 0; k < pieces; ++k) {
+            const glm::vec2 at = line[i] + along * ((float(k) + 0.5f) / float(pieces));
+            const float yaw = glm::degrees(std::atan2(-along.y, along.x)) + (random.chance(0.5f) ? 180.0f : 0.0f);
+            stage.put({.what = "fence", .at = at, .yaw = yaw, .scale = 1, .parent = group}, random);
+            stage.take(at, 1.3f);
+        }
+    }
+}
+
+} // namespace
+
+void setCamp(Stage& stage)
+{
+    Random random{700};
+    const io::ObjectId camp = stage.addGroup("Camp", kCamp);
+    for (const Piece& piece : kPieces) {
+        const glm::vec2 at = kCamp + piece.offset;
+        stage.put({.what = piece.what, .at = at, .yaw = piece.yaw, .scale = piece.scale, .name = piece.name, .lift = piece.lift, .parent = camp}, random);
+        stage.take(at, piece.radius);
+    }
+    addFences(stage, camp, random);
+    stage.put({.what = "spawn_point", .at = kCamp + glm::vec2{12, 9}, .yaw = 120, .scale = 1, .name = "Start"}, random);
+    stage.put({.what = "point_of_interest", .at = kCamp + kHut, .yaw = 0, .scale = 1, .name = "Hut", .lift = 5.5f}, random);
+}
+
+} // namespace make
