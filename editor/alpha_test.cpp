@@ -5,6 +5,8 @@
 namespace editor {
 namespace {
 
+constexpr float kClear = 0.02f; // alpha of a blended surface below which nobody sees it
+
 int wrapped(int texel, int size, io::Wrap wrap)
 {
     if (wrap == io::Wrap::Clamp) return glm::clamp(texel, 0, size - 1);
@@ -49,7 +51,7 @@ float sampleAlpha(const io::Image& image, const io::TextureUse& use, glm::vec2 u
 
 bool seenAt(const io::Model& model, const io::Material& material, std::size_t firstIndex, glm::vec2 barycentric)
 {
-    if (material.alphaMode != io::AlphaMode::Mask) return true;
+    if (material.alphaMode == io::AlphaMode::Opaque) return true;
     const io::Vertex& a = model.vertices[model.indices[firstIndex]];
     const io::Vertex& b = model.vertices[model.indices[firstIndex + 1]];
     const io::Vertex& c = model.vertices[model.indices[firstIndex + 2]];
@@ -63,7 +65,7 @@ bool seenAt(const io::Model& model, const io::Material& material, std::size_t fi
         const glm::vec2 uv = use.uvSet == 1 ? mixed(a.uv1, b.uv1, c.uv1) : mixed(a.uv0, b.uv0, c.uv0);
         alpha *= sampleAlpha(*model.images[use.image], use, uv);
     }
-    return alpha >= material.alphaCutoff;
+    return alpha >= (material.alphaMode == io::AlphaMode::Mask ? material.alphaCutoff : kClear);
 }
 
 } // namespace editor

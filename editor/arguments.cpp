@@ -81,6 +81,14 @@ std::optional<glm::dvec3> Arguments::triple(std::string_view key)
     return n ? std::optional{glm::dvec3{(*n)[0], (*n)[1], (*n)[2]}} : std::nullopt;
 }
 
+std::optional<glm::dvec2> Arguments::ground(std::string_view key)
+{
+    const io::Value* found = m_command.find(key);
+    if (!found || !found->asArray() || found->asArray()->size() != 3) return pair(key);
+    const glm::dvec3 point = *triple(key);
+    return glm::dvec2{point.x, point.z};
+}
+
 std::optional<glm::dvec3> Arguments::factors(std::string_view key)
 {
     const io::Value* found = m_command.find(key);

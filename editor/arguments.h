@@ -24,6 +24,7 @@ public:
     bool flag(std::string_view key, bool fallback);
     std::optional<glm::dvec2> pair(std::string_view key);              // nothing when absent
     std::optional<glm::dvec3> triple(std::string_view key);
+    std::optional<glm::dvec2> ground(std::string_view key);            // [x, z], or the x and z of [x, y, z]
     std::optional<glm::dvec3> factors(std::string_view key);           // one number serves all three
     io::ObjectId object(std::string_view key);                         // one that is in the scene
     std::vector<io::ObjectId> ids();                                   // "ids", or the selection; never empty

@@ -117,7 +117,7 @@ io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::
     if (!half.has_filename()) half = half.parent_path();
     half += ".saving";
     std::error_code fault;
-    fs::remove_all(half, fault);
+    if (fs::exists(half, fault)) return io::Error{half.string(), "is in the way; remove it or name another folder"};
     const io::Status copied = copyFolder(source, half);
     if (!copied) {
         fs::remove_all(half, fault);

@@ -1,6 +1,7 @@
 #include "editor/script_commands.h"
 
 #include "editor/properties.h"
+#include "io/scene/field_words.h"
 
 #include <algorithm>
 
@@ -128,7 +129,7 @@ Answer save(Script& script, Arguments& arguments)
 
 Answer saveAs(Script& script, Arguments& arguments)
 {
-    const std::string folder = arguments.text("path");
+    const std::string folder = arguments.text(arguments.has("folder") ? "folder" : "path");
     if (folder.empty()) arguments.fail("\"path\" names a new folder");
     if (const auto fault = arguments.finish()) return *fault;
     const auto report = script.document().saveAs(folder);
@@ -162,7 +163,8 @@ Answer view(Script& script, Arguments& arguments)
     }
     if (const auto fault = arguments.finish()) return *fault;
     script.view() = changed;
-    return io::Value::Object{{"eye", toValue(camera.eye)}, {"yaw", camera.yaw}, {"pitch", camera.pitch}, {"fov", camera.fov}};
+    return io::Value::Object{{"eye", toValue(camera.eye)}, {"yaw", io::decimal(camera.yaw)},
+                             {"pitch", io::decimal(camera.pitch)}, {"fov", io::decimal(camera.fov)}};
 }
 
 Answer render(Script& script, Arguments& arguments)

@@ -54,14 +54,9 @@ Answer place(Script& script, Arguments& arguments)
 Answer scatter(Script& script, Arguments& arguments)
 {
     ScatterOptions options{.templates = templatesOf(arguments)};
-    const io::Value* centre = arguments.value("center");
-    if (centre && centre->asArray() && centre->asArray()->size() == 3) {
-        const glm::dvec3 at = *arguments.triple("center");
-        options.centre = {at.x, at.z};
-    } else {
-        options.centre = arguments.pair("center").value_or(glm::dvec2{0});
-    }
+    const auto centre = arguments.ground("center");
     if (!centre) arguments.fail("needs \"center\"");
+    options.centre = centre.value_or(glm::dvec2{0});
     options.radius = arguments.number("radius", options.radius, 0, 1e6);
     options.density = arguments.number("density", options.density, 0, 1e4);
     options.seed = std::uint64_t(arguments.number("seed", 1, 0, 1e15));

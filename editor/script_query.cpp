@@ -74,7 +74,7 @@ Answer selection(Script& script, Arguments& arguments)
 
 Answer height(Script& script, Arguments& arguments)
 {
-    const auto at = arguments.pair("at");
+    const auto at = arguments.ground("at");
     if (!at) arguments.fail("needs \"at\"");
     if (const auto fault = arguments.finish()) return *fault;
     const auto& heights = script.document().assets().heights;

@@ -4,7 +4,7 @@
 #include "editor/document.h"
 #include "io/files/documents.h"
 
-#include <chrono>
+#include <ctime>
 #include <gtest/gtest.h>
 
 using namespace editor;
@@ -205,12 +205,12 @@ TEST(Document, AnEditCostsWhatItChangesNotWhatThereIs)
 {
     const auto document = test::forest(200'000, 1, false);
     document->takeChanges();
-    const auto begun = std::chrono::steady_clock::now();
+    const std::clock_t begun = std::clock(); // of this process alone, however busy the machine is
     for (int i = 0; i < 10'000; ++i)
         moveBy(*document, "Move", std::vector{io::ObjectId(1 + std::uint32_t(i))}, {1, 0, 0});
     for (int i = 0; i < 10'000; ++i)
         document->undo();
-    EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds{5});
+    EXPECT_LT(double(std::clock() - begun) / CLOCKS_PER_SEC, 5);
     EXPECT_EQ(document->takeChanges().objects.size(), 10'000u);
     EXPECT_LT(document->history().bytes() / 10'000, 1000u);
 }
