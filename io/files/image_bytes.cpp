@@ -1,5 +1,6 @@
 #include "io/files/image_bytes.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -26,13 +27,11 @@ std::string pngWithoutMetadata(std::string_view bytes)
     std::size_t at = kPngStart.size();
     while (at + 12 <= bytes.size()) {
         const std::size_t size = std::size_t(bigEndian(bytes, at, 4)) + 12;
-        if (size > bytes.size() - at) break;
-        const std::string_view chunk = bytes.substr(at, size);
-        for (const std::string_view kept : kKept)
-            if (chunk.substr(4, 4) == kept) out += chunk;
-        at += size;
+        const std::string_view chunk = bytes.substr(at, size); // a cut-off one is for the decoder to refuse
+        if (std::find(kKept.begin(), kKept.end(), chunk.substr(4, 4)) != kKept.end()) out += chunk;
+        at += chunk.size();
     }
-    return out.append(bytes.substr(at)); // a cut-off chunk: for the decoder to refuse
+    return out;
 }
 
 // JPEG (ITU T.81) is a row of segments up to the start of scan: FF, marker, length, data. APP0 (JFIF) and APP14
@@ -56,7 +55,37 @@ std::string jpegWithoutMetadata(std::string_view bytes)
     return out.append(bytes.substr(at));
 }
 
+std::uint32_t littleEndian(std::string_view bytes, std::size_t at)
+{
+    std::uint32_t value = 0;
+    for (int i = 3; i >= 0; --i)
+        value = value << 8 | static_cast<unsigned char>(bytes[at + std::size_t(i)]);
+    return value;
+}
+
+// The pixel format of DirectDraw surfaces: flags at 80, bits a pixel at 88, masks of red, green, blue, alpha from 92.
+bool soundDds(std::string_view bytes)
+{
+    constexpr std::uint32_t kAlpha = 0x1, kFourCc = 0x4, kRgb = 0x40, kLuminance = 0x20000, kNormal = 0x80000000;
+    constexpr std::uint32_t kKnown = kAlpha | 0x2 | kFourCc | 0x20 | kRgb | 0x200 | kLuminance | 0x80000 | kNormal;
+    if (bytes.size() < 128) return false;
+    const std::uint32_t flags = littleEndian(bytes, 80);
+    const std::uint32_t bits = littleEndian(bytes, 88);
+    const auto mask = [&](int channel) { return littleEndian(bytes, 92 + 4 * std::size_t(channel)); };
+    if (flags & ~kKnown) return false;
+    if (flags & kFourCc) return true;
+    if (bits == 0 || bits > 32 || bits % 8 != 0) return false;
+    if ((flags & kRgb) && !(mask(0) && mask(1) && mask(2))) return false;
+    if ((flags & kLuminance) && !mask(0)) return false;
+    return !(flags & kAlpha) || mask(3);
+}
+
 } // namespace
+
+std::string headerFault(std::string_view bytes)
+{
+    return imageFormat(bytes) == "dds" && !soundDds(bytes) ? "its pixel format is damaged" : "";
+}
 
 std::string_view imageFormat(std::string_view bytes)
 {

@@ -13,4 +13,7 @@ std::string_view imageFormat(std::string_view bytes);
 // break most often. Other formats, and files too damaged to be walked through, come back as they are.
 std::string withoutMetadata(std::string_view bytes);
 
+// What a decoder would divide by zero for; empty when there is nothing.
+std::string headerFault(std::string_view bytes);
+
 } // namespace io

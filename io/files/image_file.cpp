@@ -30,6 +30,8 @@ Status checkHeader(const OIIO::ImageSpec& spec, const std::string& where)
     if (spec.width < 1 || spec.height < 1) return refused(where, "an image of " + size + " pixels");
     if (spec.width > kLargestSide || spec.height > kLargestSide)
         return refused(where, size + " pixels; a side may have at most " + std::to_string(kLargestSide));
+    if (spec.get_int_attribute("tiff:RowsPerStrip", 1) < 1) // any format may carry it, and the library divides by it
+        return refused(where, "its rows are damaged");
     if (spec.deep || spec.depth > 1) return refused(where, "deep or volume images are not supported; flatten it");
     if (spec.nchannels < 1 || spec.nchannels > 64) // further channels than four are passed over
         return refused(where, std::to_string(spec.nchannels) + " channels; at most 4 are used");
@@ -83,6 +85,7 @@ Result<Image> decode(std::string_view bytes, const std::string& where)
     limitLibrary();
     const std::string format{imageFormat(bytes)};
     if (format.empty()) return refused(where, "not an image that Wold reads (PNG, JPEG, TIFF, EXR, HDR, DDS)");
+    if (const std::string fault = headerFault(bytes); !fault.empty()) return refused(where, fault);
     const std::string clean = withoutMetadata(bytes);
     OIIO::Filesystem::IOMemReader memory{clean.data(), clean.size()};
     OIIO::ImageSpec config;
