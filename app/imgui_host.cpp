@@ -9,6 +9,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <cmath>
 #include <imgui.h>
+#include <utility>
 
 namespace app {
 namespace {
@@ -31,6 +32,8 @@ void mapKeys(ImGuiIO& io)
         io.KeyMap[key] = code;
 }
 
+ImguiHost* g_host = nullptr; // whose window has the key callback; there is one window
+
 } // namespace
 
 ImguiHost::ImguiHost(Window* window, float scale) : m_window{window}
@@ -40,10 +43,12 @@ ImguiHost::ImguiHost(Window* window, float scale) : m_window{window}
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr; // the workspace remembers the layout
     io.LogFilename = nullptr;
-    if (m_window)
+    if (m_window) {
         ImGui_ImplGlfw_InitForOpenGL(m_window->handle(), true);
-    else
+        keepShortTaps();
+    } else {
         mapKeys(io);
+    }
     setScale(scale);
     ImGui_ImplOpenGL3_Init("#version 450");
 }
@@ -51,8 +56,26 @@ ImguiHost::ImguiHost(Window* window, float scale) : m_window{window}
 ImguiHost::~ImguiHost()
 {
     ImGui_ImplOpenGL3_Shutdown();
+    g_host = nullptr;
     if (m_window) ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
+}
+
+// ImGui 1.86 looks at keys once a frame, so one that goes down and up within a frame (slow drawing, a quick hand) would
+// be lost, and with it a chord whose Ctrl was let go in the same frame: releases wait while a press is unseen.
+void ImguiHost::keepShortTaps()
+{
+    g_host = this;
+    glfwSetKeyCallback(m_window->handle(), [](GLFWwindow*, int key, int scancode, int action, int mods) {
+        if (g_host) g_host->onKey(key, scancode, action, mods);
+    });
+}
+
+void ImguiHost::onKey(int key, int scancode, int action, int mods)
+{
+    if (action == GLFW_RELEASE && m_pressed) return m_releases.push_back({key, scancode, mods});
+    m_pressed |= action == GLFW_PRESS;
+    ImGui_ImplGlfw_KeyCallback(m_window->handle(), key, scancode, action, mods);
 }
 
 void ImguiHost::setScale(float scale)
@@ -86,11 +109,9 @@ void ImguiHost::end()
 {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-}
-
-void ImguiHost::finish()
-{
-    ImGui::Render();
+    m_pressed = false;
+    for (const Release& late : std::exchange(m_releases, {}))
+        ImGui_ImplGlfw_KeyCallback(m_window->handle(), late.key, late.scancode, GLFW_RELEASE, late.mods);
 }
 
 } // namespace app

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <vector>
 
 namespace app {
 
@@ -18,12 +19,19 @@ public:
 
     void begin(glm::ivec2 size, double seconds); // the last two count only without a window
     void end();                                  // draws into the framebuffer that is bound then
-    void finish();                               // the frame without drawing it
     void setScale(float scale);                  // of the screen: fonts are made anew when it changes
 
 private:
+    void keepShortTaps();
+    void onKey(int key, int scancode, int action, int mods);
+
+    struct Release {
+        int key, scancode, mods;
+    };
     Window* m_window;
     float m_scale = 0;
+    bool m_pressed = false;          // a key, since the last frame
+    std::vector<Release> m_releases; // that wait for the next frame
 };
 
 } // namespace app

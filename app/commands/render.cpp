@@ -60,7 +60,8 @@ io::Status draw(renderer::Renderer& renderer, const Shot& shot, const renderer::
                      .size = options.size,
                      .settings = drawing,
                      .show = options.show,
-                     .time = shot.time});
+                     .time = shot.time,
+                     .markers = options.show != renderer::Show::Final}); // aids to editing, no part of the world
     return io::writeImage(shot.file, isRadiance(shot.file) ? renderer.readRadiance() : renderer.readPicture());
 }
 

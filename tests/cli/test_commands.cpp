@@ -114,7 +114,7 @@ TEST_F(Commands, runAnswersEachLineAndSaves)
     for (const std::string& answer : answers)
         EXPECT_EQ(*json(answer).find("ok"), io::Value{true}) << answer;
     const auto lines = linesOf(textOf(project + "/scenes/main.scene.json"));
-    EXPECT_EQ(std::ranges::count_if(lines, [](const std::string& line) { return line.find("\"id\": 7") != line.npos; }), 1);
+    EXPECT_EQ(std::ranges::count_if(lines, [](const std::string& line) { return line.find("\"id\":7,") != line.npos; }), 1);
     EXPECT_EQ(number(json(wold({"info", project, "--json", "-"}).out), "objects"), 7);
 }
 
