@@ -60,7 +60,7 @@ public:
     void upload(); // what was added since the last call
     GLuint vertices() const { return m_vertexBuffer.id(); }
     GLuint indices() const { return m_indexBuffer.id(); }
-    GLuint materials() const { return m_materialBuffer.id(); }
+    const gl::Buffer& materials() const { return m_materialBuffer; }
 
 private:
     int batchOf(const Batch& batch);

@@ -14,10 +14,6 @@ float decode(float c)
 {
     return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
 }
-float encode(float c)
-{
-    return c <= 0.0031308f ? c * 12.92f : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
-}
 
 const std::array<float, 256>& decodeTable()
 {
@@ -30,17 +26,11 @@ const std::array<float, 256>& decodeTable()
     return table;
 }
 
-// 12 bits of linear light are finer than 8 bits of sRGB nearly everywhere; the darkest steps round the same way.
+// Colours are stored as square roots of light, not as sRGB: shaders undo that with one product after filtering, and
+// software GL filters plain bytes several times faster than sRGB ones. The steps are about as fine.
 std::uint8_t encodeByte(float c)
 {
-    static const auto table = [] {
-        std::array<std::uint8_t, 4097> values{};
-        for (int i = 0; i <= 4096; ++i)
-            values[std::size_t(i)] = std::uint8_t(std::lround(encode(float(i) / 4096) * 255));
-        return values;
-    }();
-    if (c < 0.02f) return std::uint8_t(std::lround(encode(std::max(c, 0.0f)) * 255));
-    return table[std::size_t(std::min(c, 1.0f) * 4096 + 0.5f)];
+    return std::uint8_t(std::sqrt(std::clamp(c, 0.0f, 1.0f)) * 255 + 0.5f);
 }
 
 float channel(const io::Image& image, int x, int y, int c, bool srgb)

@@ -55,7 +55,6 @@ gl::Texture layerArray(std::string_view label, const Images& images, ColourSpace
     gl::Texture array{{.label = label,
                        .size = glm::ivec2{side},
                        .layers = std::max(int(images.size()), 1),
-                       .format = GLenum(space == ColourSpace::Srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8),
                        .mips = gl::fullMipCount(glm::ivec2{side}),
                        .wrap = GL_REPEAT}};
     for (std::size_t layer = 0; layer < images.size(); ++layer) {
@@ -69,16 +68,29 @@ gl::Texture layerArray(std::string_view label, const Images& images, ColourSpace
     return array;
 }
 
-glsl::TerrainLayer layerBlock(const io::TerrainLayer& layer, bool colour, bool normal, int index)
+// Rise at the low end and fall at the high one, each over twice the half width; ends of the scale have no border.
+glm::vec4 rampsOf(const glm::vec2& range, float half, const glm::vec2& scale)
 {
+    const float factor = 0.5f / half;
+    glm::vec4 ramps{0, 1, 0, 1};
+    if (range.x > scale.x) ramps.x = factor, ramps.y = 0.5f - range.x * factor;
+    if (range.y < scale.y) ramps.z = -factor, ramps.w = 0.5f + range.y * factor;
+    return ramps;
+}
+
+glsl::TerrainLayer layerBlock(const io::TerrainLayer& layer, bool colour, bool normal, int index, int side)
+{
+    const float blend = std::max(layer.blend, 1e-3f);
     glsl::TerrainLayer block{};
     block.colour = layer.colour;
     block.repeats = 1 / std::max(layer.metres, 1e-3f);
-    block.rules = {layer.slope, layer.altitude};
-    block.widths = {std::max(layer.blend, 1e-3f) * 7.5f, std::max(layer.blend, 1e-3f) * 20};
+    block.slopeRamps = rampsOf(layer.slope, blend * 7.5f, {0, 90});
+    block.altitudeRamps = rampsOf(layer.altitude, blend * 20, {-1e5f, 1e5f});
+    block.ragged = {blend * 12, blend * 40};
     block.roughness = layer.roughness;
     block.colourLayer = colour ? float(index) : -1.0f;
     block.normalLayer = normal ? float(index) : -1.0f;
+    block.lodOffset = std::log2(float(side) * block.repeats);
     return block;
 }
 
@@ -170,10 +182,10 @@ void Terrain::uploadLayers(const io::Terrain& terrain, const io::Assets& assets)
     }
     m_block.layers = int(count);
     for (std::size_t i = 0; i < count; ++i)
-        m_block.layer[i] = layerBlock(terrain.layers[i], colours[i] != nullptr, normals[i] != nullptr, int(i));
+        m_block.layer[i] = layerBlock(terrain.layers[i], colours[i] != nullptr, normals[i] != nullptr, int(i), sideFor(colours));
     if (count == 0) { // bare earth
         m_block.layers = 1;
-        m_block.layer[0] = layerBlock({.colour = {0.16f, 0.17f, 0.11f}}, false, false, 0);
+        m_block.layer[0] = layerBlock({.colour = {0.16f, 0.17f, 0.11f}}, false, false, 0, 1);
     }
     Images images = colours;
     images.insert(images.end(), normals.begin(), normals.end());

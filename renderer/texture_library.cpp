@@ -9,17 +9,12 @@ namespace {
 
 constexpr std::uint64_t kLargestArray = std::uint64_t(512) << 20; // bytes; beyond it another array is begun
 
-GLenum formatOf(ColourSpace space)
-{
-    return space == ColourSpace::Srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
-}
-
 gl::Texture makeArray(int side, ColourSpace space, int layers)
 {
     return gl::Texture{{.label = space == ColourSpace::Srgb ? "colour textures" : "value textures",
                         .size = glm::ivec2{side},
                         .layers = layers,
-                        .format = formatOf(space),
+                        .format = GL_RGBA8,
                         .mips = gl::fullMipCount(glm::ivec2{side}),
                         .wrap = GL_REPEAT}};
 }

@@ -1,6 +1,5 @@
 #include "renderer/thumbnails.h"
 
-#include "renderer/passes/transparent.h"
 #include "renderer/shaders/shared/bindings.h"
 
 #include <algorithm>
@@ -111,10 +110,9 @@ Picture Thumbnails::make(GpuFrame& gpu, const World& world, io::TemplateId id, i
 void Thumbnails::drawModel(GpuFrame& gpu, const World& world, io::TemplateId id)
 {
     const ModelLibrary& models = world.models();
-    world.bind();
     Ghost only{.templateId = id};
     only.transform.scale = glm::vec3{scaleFor(models.entry(world.modelOf(id)))};
-    const DrawList list = drawOnly(gpu, world, {&only, 1});
+    const DrawList list = m_model.bind(gpu, world, {&only, 1});
     for (const std::span<const DrawRange> ranges : {std::span{list.opaque}, std::span{list.blended}})
         drawRanges(gpu, m_objects, models, list, ranges, [&](const DrawRange& range) {
             const Batch& batch = models.batches()[std::size_t(range.batch)];

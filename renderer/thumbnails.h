@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/passes/object_programs.h"
+#include "renderer/passes/passing_objects.h"
 #include "renderer/passes/picture.h"
 #include "renderer/scenery.h"
 
@@ -30,6 +31,7 @@ private:
     ObjectPrograms m_programs;
     const gl::Program &m_backdrop, &m_develop;
     gl::VertexArray m_objects;
+    PassingObjects m_model;
     gl::Texture m_colour, m_depth; // twice the size of the picture, for smooth edges
     gl::Framebuffer m_framebuffer;
     gl::Buffer m_skyLight;

@@ -173,6 +173,8 @@ void World::upload()
     uploadRecords();
     if (m_flagsDirty) uploadFlags();
     m_flagsDirty = false;
+    m_gpuRecords.instances(m_recordBuffer, m_flagBuffer);
+    m_gpuRecords.materials(m_models.materials());
 }
 
 void World::uploadRecords()
@@ -204,13 +206,6 @@ void World::uploadFlags()
     const std::size_t bytes = std::max<std::size_t>(m_flags.size(), 1) * sizeof(std::uint32_t);
     gl::grow(m_flagBuffer, "instance flags", bytes, 0);
     m_flagBuffer.write(0, std::as_bytes(std::span{m_flags}));
-}
-
-void World::bind() const
-{
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCES_BINDING, m_recordBuffer.id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_FLAGS_BINDING, m_flagBuffer.id());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, MATERIALS_BINDING, m_models.materials());
 }
 
 DrawList World::draws(GpuStream& stream, const CullRequest& request, bool blended) const

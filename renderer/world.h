@@ -7,6 +7,7 @@
 #include "renderer/cull.h"
 #include "renderer/draw_list.h"
 #include "renderer/model_library.h"
+#include "renderer/object_records.h"
 #include "renderer/shaders/shared/instance.h"
 
 #include <span>
@@ -20,7 +21,7 @@ public:
     void update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes);
     void select(std::span<const io::ObjectId> ids); // marked in the GBuffer
     void upload();                                  // what changed since the last call
-    void bind() const;                              // instances, flags and materials as storage blocks
+    void bind() const { m_gpuRecords.bind(); }
 
     // Draws for all that `request` lets through.
     DrawList draws(GpuStream& stream, const CullRequest& request, bool blended) const;
@@ -65,6 +66,7 @@ private:
     std::vector<io::ObjectId> m_selection;
     gl::Buffer m_recordBuffer;
     gl::Buffer m_flagBuffer;
+    ObjectRecords m_gpuRecords;
     io::WorldBox m_bounds;
     std::uint64_t m_uploadedBytes = 0;
     std::uint64_t m_revision = 0;

@@ -31,6 +31,19 @@ bool grow(Buffer& buffer, std::string_view label, std::size_t bytes, std::size_t
     return true;
 }
 
+BufferTexture::BufferTexture(std::string_view label, GLenum format) : m_format{format}
+{
+    GLuint id = 0;
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
+    m_handle = Handle<DeleteTexture>{id};
+    glObjectLabel(GL_TEXTURE, id, GLsizei(label.size()), label.data());
+}
+
+void BufferTexture::source(GLuint buffer, std::size_t offset, std::size_t bytes)
+{
+    glTextureBufferRange(id(), m_format, buffer, GLintptr(offset), GLsizeiptr(bytes));
+}
+
 VertexArray::VertexArray(std::string_view label)
 {
     GLuint id = 0;

@@ -1,7 +1,8 @@
-// A buffer object with immutable storage, and the vertex array that reads from some.
+// A buffer object with immutable storage, and what reads from one: a buffer texture, a vertex array.
 #pragma once
 
 #include "renderer/gl/handle.h"
+#include "renderer/gl/texture.h"
 
 #include <cstddef>
 #include <span>
@@ -33,6 +34,19 @@ private:
 
 // Grows `buffer` to hold at least `bytes`, keeping the first `keep` bytes. True when it is another buffer now.
 bool grow(Buffer& buffer, std::string_view label, std::size_t bytes, std::size_t keep);
+
+// A buffer, or a part of one, that shaders read as texels.
+class BufferTexture {
+public:
+    BufferTexture() = default;
+    BufferTexture(std::string_view label, GLenum format);
+    void source(GLuint buffer, std::size_t offset, std::size_t bytes);
+    GLuint id() const { return m_handle.get(); }
+
+private:
+    Handle<DeleteTexture> m_handle;
+    GLenum m_format = GL_R32UI;
+};
 
 class VertexArray {
 public:

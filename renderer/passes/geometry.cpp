@@ -26,7 +26,7 @@ void GeometryPass::resize(glm::ivec2 size)
     const auto make = [&](std::string_view label, GLenum format) {
         return gl::Texture{{.label = label, .size = size, .format = format, .filter = GL_NEAREST}};
     };
-    m_targets = {.colour = make("gbuffer colour", GL_SRGB8_ALPHA8),
+    m_targets = {.colour = make("gbuffer colour", GL_RGBA8),
                  .normal = make("gbuffer normal", GL_RG16_SNORM),
                  .surface = make("gbuffer surface", GL_RGBA8),
                  .id = make("gbuffer id", GL_R32UI),
@@ -44,7 +44,6 @@ const GBuffer& GeometryPass::render(GpuFrame& gpu, Scenery& scenery, const Viewp
     m_framebuffer.clearDepth(0);
     glClearNamedFramebufferuiv(m_framebuffer.id(), GL_COLOR, 3, kNobody);
     m_framebuffer.bind();
-    glEnable(GL_FRAMEBUFFER_SRGB);
 
     // Objects first: the ground, whose pixels cost more, is then drawn only where it shows.
     const ModelLibrary& models = scenery.world.models();
@@ -62,7 +61,6 @@ const GBuffer& GeometryPass::render(GpuFrame& gpu, Scenery& scenery, const Viewp
         scenery.terrain.bind(gpu, true);
         scenery.terrain.draw(gpu, drawn.ground);
     }
-    glDisable(GL_FRAMEBUFFER_SRGB);
     glTextureBarrier(); // later passes read these textures while depth stays attached, unwritten
     return m_targets;
 }

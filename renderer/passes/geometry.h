@@ -7,7 +7,7 @@
 namespace renderer {
 
 struct GBuffer {
-    gl::Texture colour;  // base colour (sRGB), occlusion
+    gl::Texture colour;  // base colour as square roots, occlusion
     gl::Texture normal;  // octahedral
     gl::Texture surface; // roughness, metallic, bits, emission
     gl::Texture id;      // of the object, kTerrainId, 0 for the sky

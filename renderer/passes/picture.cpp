@@ -9,6 +9,7 @@ void PictureTarget::resize(std::string_view label, glm::ivec2 size)
 {
     if (texture.size() == size) return;
     texture = gl::Texture{{.label = label, .size = size, .format = GL_RGBA8}};
+    glTextureParameteri(texture.id(), GL_TEXTURE_SWIZZLE_A, GL_ONE); // whoever shows it in a panel sees it opaque
     framebuffer = gl::Framebuffer{{.label = label, .colours = {&texture}}};
 }
 
@@ -23,7 +24,10 @@ void ToneMapPass::render(GpuFrame& gpu, PictureTarget& canvas, const Radiance& r
     const auto scope = gpu.scope("tone map");
     const gl::Program& curve = m_shaders.fullScreen("tone_map", {"CURVE " + std::to_string(int(settings.toneMap))});
     const bool smooth = settings.antiAliasing == AntiAliasing::Fxaa;
-    if (smooth) m_rough.resize("picture with rough edges", canvas.texture.size());
+    if (smooth) {
+        m_rough.resize("picture with rough edges", canvas.texture.size());
+        glTextureParameteri(m_rough.texture.id(), GL_TEXTURE_SWIZZLE_A, GL_ALPHA); // the brightness
+    }
     PictureTarget& first = smooth ? m_rough : canvas;
     first.framebuffer.bind();
     gpu.fullScreen(curve, {}, {{IMAGE_UNIT, &radiance.texture}});

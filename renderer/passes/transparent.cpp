@@ -3,7 +3,6 @@
 #include "renderer/shaders/shared/bindings.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace renderer {
 namespace {
@@ -11,28 +10,6 @@ namespace {
 constexpr unsigned kAllFeatures = kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap;
 
 } // namespace
-
-DrawList drawOnly(GpuFrame& gpu, const World& world, std::span<const Ghost> ghosts)
-{
-    std::vector<glsl::Instance> instances;
-    std::vector<std::uint32_t> bins;
-    for (const Ghost& ghost : ghosts) {
-        const int model = world.modelOf(ghost.templateId);
-        if (model < 0) continue;
-        instances.push_back(instanceOf(ghost.transform, io::ObjectId::None));
-        bins.push_back(std::uint32_t(model) * 2 + (isMirrored(ghost.transform) ? 1 : 0));
-    }
-    if (instances.empty()) return {};
-    const std::vector<std::uint32_t> flags(instances.size(), 0);
-    std::vector<std::uint32_t> slots(instances.size());
-    std::iota(slots.begin(), slots.end(), 0u);
-    const auto bind = [](int binding, const GpuStream::Piece& piece) {
-        glBindBufferRange(GL_SHADER_STORAGE_BUFFER, GLuint(binding), piece.buffer, GLintptr(piece.offset), GLsizeiptr(piece.bytes.size()));
-    };
-    bind(INSTANCES_BINDING, gpu.stream().put(std::span<const glsl::Instance>{instances}));
-    bind(INSTANCE_FLAGS_BINDING, gpu.stream().put(std::span<const std::uint32_t>{flags}));
-    return makeDrawList(gpu.stream(), {.models = world.models(), .bins = bins, .visible = slots});
-}
 
 TransparentPass::TransparentPass(ShaderLibrary& shaders)
     : m_shaders{shaders},
@@ -99,7 +76,7 @@ void TransparentPass::drawGhosts(GpuFrame& gpu, Radiance& radiance, Scenery& sce
     ObjectPrograms& kinds = programs(true, viewpoint, settings);
     const ModelLibrary& models = scenery.world.models();
     radiance.framebuffer.bind();
-    const DrawList list = drawOnly(gpu, scenery.world, ghosts);
+    const DrawList list = m_ghosts.bind(gpu, scenery.world, ghosts);
     for (const bool depthOnly : {true, false})
         for (const std::span<const DrawRange> ranges : {std::span{list.opaque}, std::span{list.blended}})
             drawRanges(gpu, m_objects, models, list, ranges, [&](const DrawRange& range) {

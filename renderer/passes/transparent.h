@@ -3,6 +3,7 @@
 #pragma once
 
 #include "renderer/passes/lighting.h"
+#include "renderer/passes/passing_objects.h"
 
 namespace renderer {
 
@@ -28,11 +29,10 @@ private:
     std::vector<std::unique_ptr<Variant>> m_variants;
     const gl::Program& m_depthOnly;
     gl::VertexArray m_objects;
+    PassingObjects m_ghosts;
     gl::Framebuffer m_withIds; // blended things can be pointed at
     GLuint m_radiance = 0, m_id = 0;
 };
 
-// Instances that exist for one frame only, bound in place of the world's.
-DrawList drawOnly(GpuFrame& gpu, const World& world, std::span<const Ghost> ghosts);
 
 } // namespace renderer

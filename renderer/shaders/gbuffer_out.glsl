@@ -2,7 +2,7 @@
 #include "octahedron.glsl"
 #include "shared/gbuffer.h"
 
-layout(location = 0) out vec4 outColour;  // base colour (sRGB), occlusion
+layout(location = 0) out vec4 outColour;  // base colour as square roots, occlusion
 layout(location = 1) out vec2 outNormal;  // octahedral
 layout(location = 2) out vec4 outSurface; // roughness, metallic, bits, emission as log2
 layout(location = 3) out uint outId;
@@ -15,7 +15,7 @@ float encodeEmission(float factor)
 
 void writeSurface(vec3 colour, float occlusion, vec3 normal, float roughness, float metallic, uint bits, float emission)
 {
-    outColour = vec4(colour, occlusion);
+    outColour = vec4(sqrt(colour), occlusion);
     outNormal = octahedral(normal);
     outSurface = vec4(roughness, metallic, float(bits) / 255.0, encodeEmission(emission));
 }

@@ -12,7 +12,7 @@ void main()
     vec4 colour = texelFetch(gbufferColour, pixel, 0);
     vec4 stored = texelFetch(gbufferSurface, pixel, 0);
     Surface s;
-    s.baseColour = colour.rgb;
+    s.baseColour = decodeColour(colour.rgb);
     s.occlusion = colour.a;
     s.normal = fromOctahedral(texelFetch(gbufferNormal, pixel, 0).xy);
     s.roughness = max(stored.x, 0.045);

@@ -43,7 +43,7 @@ float wrapped(float u, uint mode, float halfTexel)
 }
 #endif
 
-// White where the material has no such texture.
+// White where the material has no such texture. Colours are square roots of light: the caller squares them.
 vec4 fetch(sampler2DArray maps, vec2 uv, uint layer, int slot)
 {
     bool none = layer == 0xffffu;
@@ -62,7 +62,8 @@ vec4 fetch(sampler2DArray maps, vec2 uv, uint layer, int slot)
 MaterialSample sampleMaterial(bool front)
 {
     MaterialSample m;
-    m.baseColour = colour * fetch(baseColours, uvBase, ids.z & 0xffffu, BASE_COLOUR_UNIT);
+    vec4 base = fetch(baseColours, uvBase, ids.z & 0xffffu, BASE_COLOUR_UNIT);
+    m.baseColour = colour * vec4(base.rgb * base.rgb, base.a);
     uint flags = ids.y >> 8;
     vec3 n = normalize(normal);
 #ifdef NORMAL_MAP
@@ -84,7 +85,8 @@ MaterialSample sampleMaterial(bool front)
     m.metallic *= roughMetal.b;
     float occlusion = fetch(occlusionMaps, uvSurfaceOcclusion.zw, ids.w >> 16, OCCLUSION_UNIT).r;
     m.occlusion = 1.0 + (occlusion - 1.0) * emissive.w;
-    m.emissive = emissive.rgb * fetch(emissiveMaps, uvEmissive, emissiveLayer, EMISSIVE_UNIT).rgb;
+    vec3 glow = fetch(emissiveMaps, uvEmissive, emissiveLayer, EMISSIVE_UNIT).rgb;
+    m.emissive = emissive.rgb * glow * glow;
 #endif
     m.roughness = clamp(m.roughness, 0.045, 1.0);
     return m;

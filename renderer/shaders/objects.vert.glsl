@@ -1,12 +1,7 @@
 // Vertices of placed objects. The instance comes by way of a list that culling wrote, one number a copy.
 #include "octahedron.glsl"
-#include "shared/instance.h"
-#include "shared/material.h"
+#include "records.glsl"
 #include "view.glsl"
-
-layout(std430, binding = INSTANCES_BINDING) readonly buffer InstanceBlock { Instance instances[]; };
-layout(std430, binding = INSTANCE_FLAGS_BINDING) readonly buffer FlagsBlock { uint instanceFlags[]; };
-layout(std430, binding = MATERIALS_BINDING) readonly buffer MaterialBlock { Material materials[]; };
 
 layout(location = 0) in vec3 inPosition;
 layout(location = 1) in vec2 inNormal;
@@ -60,7 +55,7 @@ uint layerBits(int layer)
 
 void main()
 {
-    Instance instance = instances[inInstance];
+    Instance instance = instanceAt(inInstance);
     vec3 axisX = instance.axisX.xyz;
     vec3 axisY = instance.axisY.xyz;
     vec3 axisZ = instance.axisZ.xyz;
@@ -69,45 +64,48 @@ void main()
     gl_Position = view.clipFromRelative * vec4(place, 1.0);
 
 #ifndef POSITION_ONLY
-    MaterialTexture base = materials[inMaterial].textures[BASE_COLOUR_UNIT];
+    MaterialTexture base = materialTexture(inMaterial, BASE_COLOUR_UNIT);
     uvBase = transformed(base);
 #ifdef WRAP
     wrapModes = 0u;
     for (int i = 0; i < MATERIAL_TEXTURES; ++i)
-        wrapModes |= ((materials[inMaterial].textures[i].mode >> TEXTURE_WRAP_U_SHIFT) & 15u) << (4 * i);
+        wrapModes |= ((materialTexture(inMaterial, i).mode >> TEXTURE_WRAP_U_SHIFT) & 15u) << (4 * i);
 #endif
 #ifdef SHADOW
-    cutout = vec3(float(base.layer), materials[inMaterial].alphaCutoff, materials[inMaterial].baseColour.a * inColour.a);
+    cutout = vec3(float(base.layer), materialTexel(inMaterial, MATERIAL_FACTORS_TEXEL).w,
+                  materialTexel(inMaterial, MATERIAL_BASE_COLOUR_TEXEL).a * inColour.a);
 #else
     // Cofactors turn normals rightly under any scale; a mirror image turns them once more.
     vec3 n = fromOctahedral(inNormal);
     vec3 cofactorX = cross(axisY, axisZ);
     float mirror = sign(dot(axisX, cofactorX));
     normal = (cofactorX * n.x + cross(axisZ, axisX) * n.y + cross(axisX, axisY) * n.z) * mirror;
-    colour = materials[inMaterial].baseColour * inColour;
-    int normalLayer = materials[inMaterial].textures[NORMAL_UNIT].layer;
+    colour = materialTexel(inMaterial, MATERIAL_BASE_COLOUR_TEXEL) * inColour;
+    vec4 factors = materialTexel(inMaterial, MATERIAL_FACTORS_TEXEL); // metallic, normal scale, occlusion, cutoff
+    vec4 emission = materialTexel(inMaterial, MATERIAL_EMISSIVE_TEXEL); // and roughness
+    int normalLayer = materialTexture(inMaterial, NORMAL_UNIT).layer;
     uint layers = layerBits(base.layer) | layerBits(normalLayer) << 16;
     uint layers2 = 0u;
-    surface = vec4(materials[inMaterial].roughness, materials[inMaterial].metallic, materials[inMaterial].alphaCutoff,
-                   materials[inMaterial].normalScale);
+    surface = vec4(emission.w, factors.x, factors.w, factors.y);
 #ifdef NORMAL_MAP
     int bits = int(inTangent);
     vec2 packed_ = vec2(float(bitfieldExtract(bits, 0, 16)) / 32767.0, float(bitfieldExtract(bits, 16, 15)) / 16383.0);
     vec3 t = fromOctahedral(clamp(packed_, -1.0, 1.0));
     tangent = vec4(axisX * t.x + axisY * t.y + axisZ * t.z, inTangent >= 0x80000000u ? -mirror : mirror);
-    uvNormal = transformed(materials[inMaterial].textures[NORMAL_UNIT]);
+    uvNormal = transformed(materialTexture(inMaterial, NORMAL_UNIT));
 #endif
 #ifdef SURFACE_MAPS
-    MaterialTexture surfaceUse = materials[inMaterial].textures[SURFACE_UNIT];
-    MaterialTexture occlusionUse = materials[inMaterial].textures[OCCLUSION_UNIT];
-    MaterialTexture emissiveUse = materials[inMaterial].textures[EMISSIVE_UNIT];
+    MaterialTexture surfaceUse = materialTexture(inMaterial, SURFACE_UNIT);
+    MaterialTexture occlusionUse = materialTexture(inMaterial, OCCLUSION_UNIT);
+    MaterialTexture emissiveUse = materialTexture(inMaterial, EMISSIVE_UNIT);
     uvSurfaceOcclusion = vec4(transformed(surfaceUse), transformed(occlusionUse));
     uvEmissive = transformed(emissiveUse);
-    emissive = vec4(materials[inMaterial].emissive, materials[inMaterial].occlusionStrength);
+    emissive = vec4(emission.rgb, factors.z);
     emissiveLayer = layerBits(emissiveUse.layer);
     layers2 = layerBits(surfaceUse.layer) | layerBits(occlusionUse.layer) << 16;
 #endif
-    ids = uvec4(instance.objectId, instanceFlags[inInstance] | materials[inMaterial].flags << 8, layers, layers2);
+    uint flags = texelFetch(instanceFlags, int(inInstance)).x | materialFlags(inMaterial) << 8;
+    ids = uvec4(instance.objectId, flags, layers, layers2);
 #ifdef FORWARD
     relative = place;
 #endif

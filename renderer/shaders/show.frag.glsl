@@ -41,7 +41,7 @@ void main()
 
     vec3 shown = vec3(0.0);
 #if MODE == 1 // albedo
-    shown = sky ? vec3(0.0) : encodeSrgb(base.rgb);
+    shown = sky ? vec3(0.0) : encodeSrgb(decodeColour(base.rgb));
 #elif MODE == 2 // normal
     shown = sky ? vec3(0.0) : normal * 0.5 + 0.5;
 #elif MODE == 3 // roughness

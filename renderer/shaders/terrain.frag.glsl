@@ -16,31 +16,28 @@ struct Cover {
     float roughness;
 };
 
-// How far a value is inside a range, 0 to 1; the ends of the scale have no border.
-float inside(float value, vec2 range, float width, vec2 scale)
+float ramps(float value, vec4 ramp)
 {
-    float low = range.x <= scale.x ? 1.0 : smoothstep(range.x - width, range.x + width, value);
-    float high = range.y >= scale.y ? 1.0 : 1.0 - smoothstep(range.y - width, range.y + width, value);
-    return low * high;
+    vec2 both = clamp(value * ramp.xz + ramp.yw, 0.0, 1.0);
+    return both.x * both.y;
 }
 
-// `plane`: metres along the texture; `axisU`, `axisV`: where they point in the world.
-Cover cover(int index, vec2 plane, vec3 axisU, vec3 axisV, float tiling, vec2 plane_dx, vec2 plane_dy)
+// `plane`: metres along the texture; `axisU`, `axisV`: where they point in the world; `lod`: log2 of metres a pixel.
+Cover cover(int index, vec2 plane, vec3 axisU, vec3 axisV, float tiling, float lod)
 {
     TerrainLayer layer = terrain.layer[index];
     vec2 uv = plane * layer.repeats;
     // A second, larger and turned copy breaks the repeats that a single one shows from afar.
     const mat2 turn = mat2(0.7986, 0.6018, -0.6018, 0.7986) * 0.2371;
-    vec2 dx = plane_dx * layer.repeats;
-    vec2 dy = plane_dy * layer.repeats;
-    vec4 fine = textureGrad(layerColours, vec3(uv, max(layer.colourLayer, 0.0)), dx, dy);
-    vec4 broad = textureGrad(layerColours, vec3(turn * uv, max(layer.colourLayer, 0.0)), turn * dx, turn * dy);
+    float fineLod = lod + layer.lodOffset;
+    vec4 fine = textureLod(layerColours, vec3(uv, max(layer.colourLayer, 0.0)), fineLod);
+    vec4 broad = textureLod(layerColours, vec3(turn * uv, max(layer.colourLayer, 0.0)), fineLod - 2.08);
     vec4 both = mix(fine, broad, tiling);
-    vec2 bend = textureGrad(layerNormals, vec3(uv, max(layer.normalLayer, 0.0)), dx, dy).xy * 2.0 - 1.0;
+    vec2 bend = textureLod(layerNormals, vec3(uv, max(layer.normalLayer, 0.0)), fineLod).xy * 2.0 - 1.0;
     bend = layer.normalLayer < 0.0 ? vec2(0.0) : bend;
     both = layer.colourLayer < 0.0 ? vec4(1.0, 1.0, 1.0, 0.5) : both;
     Cover c;
-    c.colour = both.rgb * layer.colour;
+    c.colour = both.rgb * both.rgb * layer.colour; // stored as square roots
     c.height = both.a;
     c.bend = axisU * bend.x - axisV * bend.y; // +Y of a normal map is up, and v runs down
     c.roughness = layer.roughness;
@@ -66,10 +63,9 @@ void main()
     float firstShare = 0.0;
     float secondShare = 0.0;
     for (int i = terrain.layers - 1; i >= 0; --i) {
-        vec4 rules = terrain.layer[i].rules;
-        vec2 widths = terrain.layer[i].widths;
-        float share = inside(slope + ragged * widths.x * 1.6, rules.xy, widths.x, vec2(0.0, 90.0)) *
-                      inside(place.z + ragged * widths.y * 2.0, rules.zw, widths.y, vec2(-1e5, 1e5));
+        vec2 moved = vec2(slope, place.z) + ragged * terrain.layer[i].ragged;
+        float share = ramps(moved.x, terrain.layer[i].slopeRamps) * ramps(moved.y, terrain.layer[i].altitudeRamps);
+        share *= share * (3.0 - 2.0 * share);
         share *= shown;
         shown -= share;
         bool top = share > firstShare;
@@ -88,14 +84,17 @@ void main()
     vec3 dx = dFdx(world);
     vec3 dy = dFdy(world);
     vec2 plane = side ? (fromX ? vec2(world.z, -world.y) : vec2(world.x, -world.y)) : world.xz;
-    vec2 plane_dx = side ? (fromX ? vec2(dx.z, -dx.y) : vec2(dx.x, -dx.y)) : dx.xz;
-    vec2 plane_dy = side ? (fromX ? vec2(dy.z, -dy.y) : vec2(dy.x, -dy.y)) : dy.xz;
     vec3 axisU = side && fromX ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
     vec3 axisV = side ? vec3(0.0, -1.0, 0.0) : vec3(0.0, 0.0, 1.0);
 
-    float tiling = clamp(0.22 + (far.a - 0.5) * 0.6 + smoothstep(0.02, 0.25, length(dx) + length(dy)) * 0.4, 0.0, 0.8);
-    Cover a = cover(first, plane, axisU, axisV, tiling, plane_dx, plane_dy);
-    Cover b = cover(second, plane, axisU, axisV, tiling, plane_dx, plane_dy);
+
+    // Mips between what the longer and the shorter side of a pixel ask for: sharp enough where the ground runs away.
+    float longer = max(dot(dx, dx), dot(dy, dy));
+    float shorter = max(min(dot(dx, dx), dot(dy, dy)), longer * 0.02);
+    float lod = 0.25 * log2(longer * shorter);
+    float tiling = clamp(0.22 + (far.a - 0.5) * 0.6 + clamp(lod * 0.12 + 0.6, 0.0, 0.45), 0.0, 0.8);
+    Cover a = cover(first, plane, axisU, axisV, tiling, lod);
+    Cover b = cover(second, plane, axisU, axisV, tiling, lod);
 
     // The higher texel wins inside the transition.
     float share = secondShare / max(firstShare + secondShare, 1e-4);

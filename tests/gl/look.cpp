@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <string>
 
 namespace {
@@ -46,6 +47,9 @@ int main(int argc, char** argv)
     const auto names = enumNames(renderer::Show{});
     in.show = renderer::Show(std::find(names.begin(), names.end(), option(argc, argv, "show", "final")) - names.begin());
     if (option(argc, argv, "culling", "on") == "off") in.settings.culling = false;
+    in.settings.largestShadowMap = std::stoi(option(argc, argv, "shadowmap", "8192"));
+    in.settings.shadows = option(argc, argv, "shadows", "on") == "on";
+    in.settings.antiAliasing = option(argc, argv, "aa", "fxaa") == "fxaa" ? renderer::AntiAliasing::Fxaa : renderer::AntiAliasing::Off;
     std::vector<io::ObjectId> selection;
     if (option(argc, argv, "select", "off") == "on")
         for (const io::Object& o : world.scene.objects())
@@ -68,11 +72,12 @@ int main(int argc, char** argv)
     for (int frame = 0; frame < frames; ++frame) {
         in.camera.eye.x += frame ? 0.7 : 0; // so that nothing is kept from the frame before
         const auto start = std::chrono::steady_clock::now();
+        const std::clock_t clock = std::clock();
         renderer.render(in);
         const io::Image image = renderer.readPicture();
         const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
         best = std::min(best, ms);
-        std::printf("frame %d: %.1f ms\n", frame, ms);
+        std::printf("frame %d: %.1f ms, %.1f ms of processor time\n", frame, ms, 1e3 * double(std::clock() - clock) / CLOCKS_PER_SEC);
         if (frame + 1 == frames) test::writePng(argc > 1 ? argv[1] : "look.png", image);
     }
     const renderer::FrameStats& stats = renderer.stats();

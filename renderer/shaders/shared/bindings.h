@@ -9,10 +9,7 @@
 #define PASS_BINDING 3
 
 // Storage blocks
-#define INSTANCES_BINDING 0
-#define INSTANCE_FLAGS_BINDING 1
-#define MATERIALS_BINDING 2
-#define SKY_LIGHT_BINDING 3
+#define SKY_LIGHT_BINDING 0
 
 // Texture units. A pass either draws materials, or the ground, or reads the GBuffer: the first five are shared.
 #define BASE_COLOUR_UNIT 0
@@ -39,5 +36,10 @@
 #define MULTI_SCATTER_UNIT 9
 #define IMAGE_UNIT 10
 #define GROUND_SHADOW_UNIT 11
+
+// Records that vertices read are buffer textures: software GL fetches a texel far faster than it reads a storage block.
+#define INSTANCES_UNIT 12
+#define INSTANCE_FLAGS_UNIT 13
+#define MATERIALS_UNIT 14
 
 #endif

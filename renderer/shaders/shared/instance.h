@@ -1,4 +1,4 @@
-// One object of the world as the GPU keeps it.
+// One object of the world as the GPU keeps it, read as texels of four words.
 #ifndef SHARED_INSTANCE_H
 #define SHARED_INSTANCE_H
 #include "shared.h"
@@ -12,6 +12,7 @@ struct Instance {
     vec4 axisZ;
 };
 SHARED_STRUCT_END(Instance, 80)
+#define INSTANCE_TEXELS 5
 
 #define INSTANCE_SELECTED 1u
 

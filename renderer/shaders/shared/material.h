@@ -1,4 +1,5 @@
-// A material of the shared table: glTF's metallic-roughness with its textures as layers of bound arrays.
+// A material of the shared table: glTF's metallic-roughness with its textures as layers of bound arrays. Read as
+// texels of four words, by the numbers below.
 #ifndef SHARED_MATERIAL_H
 #define SHARED_MATERIAL_H
 #include "shared.h"
@@ -28,6 +29,12 @@ struct Material {
     MaterialTexture textures[MATERIAL_TEXTURES];
 };
 SHARED_STRUCT_END(Material, 224)
+#define MATERIAL_TEXELS 14
+#define MATERIAL_BASE_COLOUR_TEXEL 0
+#define MATERIAL_EMISSIVE_TEXEL 1 // and roughness
+#define MATERIAL_FACTORS_TEXEL 2  // metallic, normal scale, occlusion strength, alpha cutoff
+#define MATERIAL_FLAGS_TEXEL 3
+#define MATERIAL_TEXTURE_TEXEL 4  // two a texture
 
 SHARED_END
 #endif

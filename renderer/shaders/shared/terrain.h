@@ -15,13 +15,16 @@ struct TerrainPatch {
 };
 SHARED_STRUCT_END(TerrainPatch, 16)
 
+// A rule is a product of four ramps clamp(value * slope + offset): where slope angle and altitude rise into their
+// range and fall out of it.
 struct TerrainLayer {
-    vec3 colour;  float repeats;   // linear factor; 1 / m
-    vec4 rules;                    // slope from, to (degrees), altitude from, to (m)
-    vec2 widths;  float roughness; float colourLayer; // half transitions, degrees and m; -1: no texture
-    float normalLayer; float unused0; float unused1; float unused2;
+    vec3 colour;      float repeats;     // linear factor; 1 / m
+    vec4 slopeRamps;                     // rise: factor, offset; fall: factor, offset; of degrees
+    vec4 altitudeRamps;                  // the same, of m
+    vec2 ragged;      float roughness; float colourLayer; // how far noise moves the borders, degrees and m; -1: no texture
+    float normalLayer; float lodOffset; float unused0; float unused1; // mips: log2 of texels per m
 };
-SHARED_STRUCT_END(TerrainLayer, 64)
+SHARED_STRUCT_END(TerrainLayer, 80)
 
 struct Terrain {
     vec2 lastTexel;   float metres;     float eyeAbove; // size - 1; m per texel; m, of the eye over the ground
@@ -30,7 +33,7 @@ struct Terrain {
     vec4 morph[TERRAIN_LEVELS];         // x: distance where it begins, y: 1 / its length
     TerrainLayer layer[TERRAIN_LAYERS];
 };
-SHARED_STRUCT_END(Terrain, 816)
+SHARED_STRUCT_END(Terrain, 944)
 
 SHARED_END
 #endif
