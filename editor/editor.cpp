@@ -13,9 +13,10 @@
 #include "editor/start_page.h"
 #include "editor/text.h"
 #include "editor/theme.h"
+#include "editor/theme.h"
 #include "editor/ui_map.h"
 
-#include <imgui.h>
+#include <imgui_internal.h>
 
 namespace editor {
 namespace {
@@ -30,7 +31,6 @@ Editor::Editor(Host& host) : Editor{nullptr, host} {}
 
 Editor::Editor(renderer::Renderer* renderer, Host& host) : m_renderer{renderer}, m_host{host}
 {
-    applyTheme();
     addPanels();
     m_actions = makeActions(*this);
     restoreSettings();
@@ -206,11 +206,19 @@ void Editor::frame(double seconds)
     clearMap();
     follow();
     if (!m_viewport.flying()) m_actions.shortcuts();
+    closeMenusByEscape();
     drawWindow();
     m_dialogs.draw(*this);
     m_toasts.draw(seconds);
     if (!ImGui::IsAnyItemActive()) endEdit();
     noteActivity(seconds);
+}
+
+// ImGui does this by itself only with its keyboard navigation, whose keys are ours.
+void Editor::closeMenusByEscape()
+{
+    if (!pressed(Key::Escape) || m_dialogs.any() || ImGui::GetIO().WantTextInput) return;
+    if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, true);
 }
 
 void Editor::drawWindow()

@@ -83,6 +83,7 @@ private:
     Editor(renderer::Renderer* renderer, Host& host);
     void addPanels();
     void restoreSettings();
+    void closeMenusByEscape();
     void drawWindow();
     void endEdit();
     void noteActivity(double seconds);

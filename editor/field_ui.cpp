@@ -56,6 +56,7 @@ struct FieldUi::Row {
 bool FieldUi::beginSection(const char* key)
 {
     const std::string id = m_options.prefix + m_path + key;
+    if (m_options.filter.empty()) ImGui::Dummy({0, 2});
     if (m_options.filter.empty() && !ui::section(id.c_str(), tr("section." + id))) return false;
     m_path += std::string{key} + ".";
     if (m_options.before) m_options.before(m_path);
@@ -67,7 +68,6 @@ void FieldUi::endSection()
     m_path.pop_back();
     const std::size_t dot = m_path.rfind('.');
     m_path.erase(dot == std::string::npos ? 0 : dot + 1);
-    if (m_options.filter.empty()) ImGui::Dummy({0, 4});
 }
 
 bool FieldUi::beginRow(Row& row, const char* key, int count, std::string_view unit)

@@ -345,7 +345,7 @@ void strokes(const Pen& p, Icon icon)
     case Icon::Sun: return sun(p);
     case Icon::Sliders: return sliders(p);
     case Icon::Search: return magnifier(p);
-    case Icon::Close: p.line(5, 5, 11, 11), p.line(11, 5, 5, 11); break;
+    case Icon::Close: p.line(3.5f, 3.5f, 12.5f, 12.5f), p.line(12.5f, 3.5f, 3.5f, 12.5f); break;
     case Icon::Cross: p.line(3, 3, 13, 13), p.line(13, 3, 3, 13); break;
     case Icon::ChevronRight: p.path({{6, 4}, {10, 8}, {6, 12}}); break;
     case Icon::ChevronDown: p.path({{4, 6}, {8, 10}, {12, 6}}); break;

@@ -43,7 +43,7 @@ void readRegion(const io::Value& saved, Layout& layout, Region region)
 {
     Tabs& tabs = layout.at(region);
     if (const io::Value* size = saved.find("size"))
-        if (const double* pixels = size->asNumber(); pixels && std::isfinite(*pixels))
+        if (const double* pixels = size->asNumber(); pixels && std::isfinite(*pixels) && *pixels > 0)
             tabs.size = std::clamp(float(*pixels), kLeast, kMost);
     for (const std::string& id : strings(saved.find("tabs"))) {
         if (!layout.shows(id) && !contains(layout.hidden, id)) continue; // no such panel

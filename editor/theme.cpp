@@ -1,6 +1,6 @@
 #include "editor/theme.h"
 
-#include <filesystem>
+#include <cmath>
 #include <imgui_freetype.h>
 
 namespace editor {
@@ -10,7 +10,7 @@ namespace {
 constexpr ImWchar kRanges[] = {0x20, 0x17f, 0x2010, 0x2026, 0x2030, 0x203a, 0x2070, 0x209c, 0x20ac, 0x20ac,
                                0x2122, 0x2122, 0x2190, 0x2193, 0x2212, 0x2212, 0x221e, 0x221e, 0x2248, 0x2265, 0};
 
-enum FontPlace { kRegular, kBold, kMono, kLarge };
+enum FontPlace { kRegular, kBold, kMono, kLarge, kSmall, kFigure };
 
 ImFont* fontAt(int place)
 {
@@ -131,7 +131,9 @@ void addFonts(ImFontAtlas& atlas, const FontFiles& files, float pixels)
     addFont(atlas, files.regular, pixels);
     addFont(atlas, bold, pixels);
     addFont(atlas, files.mono.empty() ? files.regular : files.mono, pixels - 1);
-    addFont(atlas, bold, pixels * 1.75f);
+    addFont(atlas, bold, std::round(pixels * 1.75f));
+    addFont(atlas, files.regular, pixels - 2);
+    addFont(atlas, bold, pixels + 2);
 }
 
 ImFont* boldFont()
@@ -147,6 +149,16 @@ ImFont* monoFont()
 ImFont* largeFont()
 {
     return fontAt(kLarge);
+}
+
+ImFont* smallFont()
+{
+    return fontAt(kSmall);
+}
+
+ImFont* figureFont()
+{
+    return fontAt(kFigure);
 }
 
 } // namespace editor

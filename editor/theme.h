@@ -19,7 +19,7 @@ constexpr ImU32 kEdge = IM_COL32(15, 15, 17, 255);
 constexpr ImU32 kSoftEdge = IM_COL32(54, 54, 60, 255);
 constexpr ImU32 kText = IM_COL32(216, 216, 222, 255);
 constexpr ImU32 kSoftText = IM_COL32(150, 150, 160, 255);
-constexpr ImU32 kFaintText = IM_COL32(104, 104, 114, 255);
+constexpr ImU32 kFaintText = IM_COL32(118, 118, 128, 255);
 constexpr ImU32 kAccent = IM_COL32(141, 104, 245, 255);
 constexpr ImU32 kAccentDeep = IM_COL32(98, 68, 184, 255); // behind white text
 constexpr ImU32 kAccentFaint = IM_COL32(141, 104, 245, 52);
@@ -44,5 +44,7 @@ void addFonts(ImFontAtlas& atlas, const FontFiles& files, float pixels = 15);
 ImFont* boldFont(); // those of the current context, or its default font
 ImFont* monoFont();
 ImFont* largeFont();
+ImFont* smallFont();
+ImFont* figureFont(); // bold, a little larger
 
 } // namespace editor

@@ -82,7 +82,7 @@ void fieldText(const NumberField& field, double value, ImVec2 min, ImVec2 max)
 {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const std::string text = digits(field, value);
-    const std::string unit = field.unit.empty() || field.mixed ? std::string{} : " " + std::string{field.unit};
+    const std::string unit = field.unit.empty() || field.mixed || !field.shown.empty() ? std::string{} : " " + std::string{field.unit};
     const float textWidth = ImGui::CalcTextSize(text.c_str()).x, unitWidth = ImGui::CalcTextSize(unit.c_str()).x;
     const bool unitFits = textWidth + unitWidth < max.x - min.x - 6;
     const float x = std::max(min.x + 4, (min.x + max.x - textWidth - (unitFits ? unitWidth : 0)) / 2);
@@ -203,7 +203,9 @@ bool combo(const char* id, std::string_view label, std::span<const std::string> 
     bool changed = false;
     ImGui::PushStyleColor(ImGuiCol_Button, palette::kField);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{6, 6});
-    const bool open = ImGui::BeginCombo(id, shown, ImGuiComboFlags_HeightLarge);
+    const ImVec2 min = ImGui::GetCursorScreenPos();
+    const float width = ImGui::CalcItemWidth(), height = ImGui::GetFrameHeight();
+    const bool open = ImGui::BeginCombo(id, shown, ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton);
     if (!open) mapItem("combo", label, shown);
     if (open) {
         const MapPanel popup{"popup"};
@@ -217,6 +219,8 @@ bool combo(const char* id, std::string_view label, std::span<const std::string> 
     }
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
+    drawIcon(*ImGui::GetWindowDrawList(), Icon::ChevronDown, {min.x + width - 20, min.y + (height - 12) / 2}, 12,
+             withAlpha(palette::kSoftText, ImGui::GetStyle().Alpha));
     return changed;
 }
 
@@ -281,7 +285,7 @@ bool colourField(const char* id, std::string_view label, float* linearRgb, float
 bool menuItem(const char* text, const char* shortcut, bool checked, bool enabled, Icon icon)
 {
     const ImVec2 min = ImGui::GetCursorScreenPos();
-    const std::string padded = std::string{"      "} + text; // room for the icon or the tick
+    const std::string padded = std::string{"        "} + text; // room for the icon or the tick
     const bool clicked = ImGui::MenuItem(padded.c_str(), shortcut, false, enabled);
     const ImU32 colour = enabled ? palette::kSoftText : palette::kFaintText;
     const float top = min.y + (ImGui::GetItemRectSize().y - 14) / 2 - ImGui::GetStyle().ItemSpacing.y / 2;
@@ -295,7 +299,7 @@ bool beginMenu(const char* text, bool enabled)
 {
     const bool inBar = ImGui::GetCurrentWindow()->DC.LayoutType == ImGuiLayoutType_Horizontal;
     const ImVec2 min = ImGui::GetCursorScreenPos();
-    const std::string padded = inBar ? std::string{text} : std::string{"      "} + text;
+    const std::string padded = inBar ? std::string{text} : std::string{"        "} + text;
     const float width = ImGui::CalcTextSize(text).x + 12;
     const bool open = ImGui::BeginMenu(padded.c_str(), enabled);
     if (inBar) mapRect("menu", text, min, {min.x + width, min.y + ImGui::GetFrameHeight()}, open);

@@ -110,33 +110,36 @@ void Workspace::splitters(const std::array<Rect, 4>& rects, ImVec2 min, ImVec2 m
     const Rect& left = rects[std::size_t(Region::Left)];
     const Rect& right = rects[std::size_t(Region::Right)];
     const Rect& bottom = rects[std::size_t(Region::Bottom)];
-    ImGui::SetNextWindowPos(min);
-    ImGui::SetNextWindowSize({max.x - min.x, max.y - min.y});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
-    ImGui::Begin("##splitters", nullptr, kFixed | ImGuiWindowFlags_NoBackground);
     if (left.max.x > left.min.x) splitter(Region::Left, {{left.max.x, min.y}, {left.max.x + kGap, max.y}}, max.x - min.x);
     if (right.max.x > right.min.x) splitter(Region::Right, {{right.min.x - kGap, min.y}, {right.min.x, max.y}}, max.x - min.x);
     if (bottom.max.y > bottom.min.y)
         splitter(Region::Bottom, {{bottom.min.x, bottom.min.y - kGap}, {bottom.max.x, bottom.min.y}}, max.y - min.y);
-    ImGui::End();
-    ImGui::PopStyleVar();
 }
 
+// A window of its own, no larger than the grip: what it covers could not be clicked.
 void Workspace::splitter(Region region, const Rect& grip, float room)
 {
     const std::string label{name(region)};
-    ImGui::SetCursorScreenPos(grip.min);
+    ImGui::SetNextWindowPos(grip.min);
+    ImGui::SetNextWindowSize({grip.max.x - grip.min.x, grip.max.y - grip.min.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{0, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2{1, 1});
+    ImGui::Begin(("##splitter." + label).c_str(), nullptr, kFixed | ImGuiWindowFlags_NoBackground);
     ImGui::InvisibleButton(label.c_str(), {grip.max.x - grip.min.x, grip.max.y - grip.min.y});
     mapItem("splitter", label, m_layout.at(region).size);
-    const bool across = region == Region::Bottom;
-    if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) return;
-    ImGui::SetMouseCursor(across ? ImGuiMouseCursor_ResizeNS : ImGuiMouseCursor_ResizeEW);
-    ImGui::GetWindowDrawList()->AddRectFilled(grip.min, grip.max, ImGui::IsItemActive() ? palette::kAccent : palette::kHover);
-    if (!ImGui::IsItemActive()) return;
-    float& size = m_layout.at(region).size;
-    const ImVec2 moved = ImGui::GetIO().MouseDelta;
-    size += across ? -moved.y : region == Region::Left ? moved.x : -moved.x;
-    size = std::clamp(size, across ? kLeastBottom : kLeastSide, std::max(kLeastSide, room - kLeastCentre));
+    const bool across = region == Region::Bottom, active = ImGui::IsItemActive();
+    if (active || ImGui::IsItemHovered()) {
+        ImGui::SetMouseCursor(across ? ImGuiMouseCursor_ResizeNS : ImGuiMouseCursor_ResizeEW);
+        ImGui::GetWindowDrawList()->AddRectFilled(grip.min, grip.max, active ? palette::kAccent : palette::kHover);
+    }
+    if (active) {
+        float& size = m_layout.at(region).size;
+        const ImVec2 moved = ImGui::GetIO().MouseDelta;
+        size += across ? -moved.y : region == Region::Left ? moved.x : -moved.x;
+        size = std::clamp(size, across ? kLeastBottom : kLeastSide, std::max(kLeastSide, room - kLeastCentre));
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
 }
 
 void Workspace::drawRegion(Editor& editor, Region region, const Rect& rect)
@@ -187,9 +190,9 @@ void Workspace::tab(Region region, const Panel& panel, float& x, float top)
     drawIcon(draw, panel.icon(), {min.x + 10, min.y + 7}, 14, front ? palette::kAccent : palette::kFaintText);
     draw.AddText({min.x + 30, min.y + (max.y - min.y - ImGui::GetFontSize()) / 2}, colour, text.c_str());
     if (!front) return;
-    ImGui::SetCursorScreenPos({max.x - 24, min.y + 5});
+    ImGui::SetCursorScreenPos({max.x - 25, min.y + 4});
     const std::string close = std::string{"close."} + panel.id();
-    if (ui::iconButton({.id = close.c_str(), .icon = Icon::Close, .label = trf("common.hide_panel", text), .size = 18,
+    if (ui::iconButton({.id = close.c_str(), .icon = Icon::Close, .label = trf("common.hide_panel", text), .size = 20,
                         .colour = palette::kFaintText}))
         m_toHide = panel.id();
 }

@@ -6,25 +6,30 @@
 #include "editor/widgets.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace editor {
 namespace {
 
+constexpr float kWidth = 126; // pixels, of a figure
+
 void figure(const char* key, const std::string& value)
 {
-    constexpr float kWidth = 118, kHeight = 50;
+    constexpr float kHeight = 50;
     const ImVec2 min = ImGui::GetCursorScreenPos();
     ImGui::Dummy({kWidth, kHeight});
     mapItem("figure", tr(key), value);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(min, {min.x + kWidth, min.y + kHeight}, palette::kRaised, 4);
-    draw.AddText(boldFont(), 17, {min.x + 10, min.y + 7}, palette::kText, value.c_str());
-    draw.AddText(ImGui::GetFont(), 12.5f, {min.x + 10, min.y + 29}, palette::kSoftText, ui::fitted(tr(key), kWidth - 8).c_str());
+    draw.AddText(figureFont(), figureFont()->FontSize, {min.x + 10, min.y + 7}, palette::kText, value.c_str());
+    ImGui::PushFont(smallFont());
+    draw.AddText({min.x + 10, min.y + 29}, palette::kSoftText, ui::fitted(tr(key), kWidth - 12).c_str());
+    ImGui::PopFont();
 }
 
 void nextFigure() // on the same line where it fits
 {
-    if (ImGui::GetItemRectMax().x + 8 + 118 < ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) ImGui::SameLine(0, 8);
+    if (ImGui::GetItemRectMax().x + 8 + kWidth < ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) ImGui::SameLine(0, 8);
 }
 
 void timeCell(double ms, double longest, ImU32 colour)
@@ -41,13 +46,19 @@ void timeCell(double ms, double longest, ImU32 colour)
 void StatisticsPanel::draw(Editor& editor)
 {
     note(editor.frameSeconds());
+    const float room = ImGui::GetContentRegionAvail().x;
+    const bool beside = room > 640; // the passes stand beside the figures where there is room
+    if (beside) ImGui::BeginChild("##figures", {std::floor(room * 0.55f), 0});
     figures(editor);
-    if (!editor.renderer()) return;
-    for (const renderer::ShaderFault& fault : editor.renderer()->shaderFaults())
-        ui::iconText(Icon::Error, palette::kRed, fault.where + ": " + fault.what);
     ImGui::Dummy({0, 2});
     graph();
-    passes(editor);
+    if (beside) {
+        ImGui::EndChild();
+        ImGui::SameLine(0, 16);
+        ImGui::BeginChild("##passes", {0, 0});
+    }
+    if (editor.renderer()) passes(editor);
+    if (beside) ImGui::EndChild();
 }
 
 void StatisticsPanel::note(double seconds)
@@ -103,7 +114,9 @@ void StatisticsPanel::graph() const
 void StatisticsPanel::passes(Editor& editor) const
 {
     const std::vector<renderer::PassTime>& passes = editor.renderer()->stats().passes;
-    if (passes.empty() || !ImGui::BeginTable("##passes", 3, ImGuiTableFlags_RowBg)) return;
+    for (const renderer::ShaderFault& fault : editor.renderer()->shaderFaults())
+        ui::iconText(Icon::Error, palette::kRed, fault.where + ": " + fault.what);
+    if (passes.empty() || !ImGui::BeginTable("##passes", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) return;
     double longest = 0;
     for (const renderer::PassTime& pass : passes) longest = std::max({longest, pass.cpuMs, pass.gpuMs});
     ImGui::TableSetupColumn(tr("statistics.pass"), 0, 1.2f);

@@ -32,7 +32,7 @@ void face(ImDrawList& draw, const Dial& dial)
     draw.AddCircleFilled(dial.middle, kRadius, IM_COL32(29, 33, 46, 255), 64);
     for (const float share : {1 / 3.f, 2 / 3.f}) draw.AddCircle(dial.middle, kRadius * share, IM_COL32(255, 255, 255, 22), 48);
     draw.AddCircle(dial.middle, kRadius, palette::kSoftEdge, 64, 1.5f);
-    constexpr const char* kPoints[] = {"sun.north", "sun.east", "sun.south", "sun.west"};
+    constexpr const char* kPoints[] = {"compass.north", "compass.east", "compass.south", "compass.west"};
     for (int i = 0; i < 4; ++i) {
         const float a = float(i) * std::numbers::pi_v<float> / 2;
         const char* text = tr(kPoints[i]);
@@ -75,7 +75,7 @@ bool sunDial(io::Environment& environment)
     const Dial dial{{min.x + std::floor(width / 2), min.y + kRadius + 24}};
     ImGui::SetCursorScreenPos({dial.middle.x - kRadius, dial.middle.y - kRadius});
     ImGui::InvisibleButton("##sun", {2 * kRadius, 2 * kRadius});
-    mapItem("dial", tr("sun.dial"));
+    mapItem("dial", tr("compass.dial"));
     const bool dragged = ImGui::IsItemActive() && (ImGui::IsItemActivated() || ImGui::IsMouseDragging(0, 0));
     if (dragged) {
         const ImVec2 mouse = ImGui::GetIO().MousePos;

@@ -1,0 +1,183 @@
+// Panels: what a person changes in them, and what undo makes of it.
+#include "editor/panels/tree_rows.h"
+#include "tests/ui/support/rig.h"
+
+#include "editor/arrange.h"
+
+#include <chrono>
+#include <gtest/gtest.h>
+
+using namespace test;
+using editor::Key;
+
+namespace {
+
+std::vector<io::ObjectId> ids(std::initializer_list<std::uint32_t> numbers)
+{
+    std::vector<io::ObjectId> result;
+    for (const std::uint32_t n : numbers) result.push_back(io::ObjectId{n});
+    return result;
+}
+
+TEST(Panels, DraggingAFieldIsOneStep)
+{
+    Rig rig;
+    rig.editor->selection().set(io::ObjectId{2});
+    rig.frame(2);
+    const ImVec2 field = rig.at("Position X", "number");
+    rig.drag(field, {field.x + 80, field.y});
+    EXPECT_GT(rig.position(2).x, 5);
+    ASSERT_EQ(rig.document().history().names().size(), 1u);
+    EXPECT_EQ(rig.document().history().names()[0], "Change Position");
+    rig.key(editor::ctrl(Key::Z));
+    EXPECT_EQ(rig.position(2), (glm::dvec3{4, 0, 0}));
+    rig.key(editor::ctrl(Key::Y));
+    EXPECT_GT(rig.position(2).x, 5);
+}
+
+TEST(Panels, DraggingMovesAllByTheSame)
+{
+    Rig rig;
+    rig.editor->selection().set(ids({1, 2, 3}));
+    rig.frame(2);
+    const ImVec2 field = rig.at("Position X", "number");
+    rig.drag(field, {field.x + 80, field.y});
+    EXPECT_GT(rig.position(1).x, 1);
+    EXPECT_NEAR(rig.position(2).x - rig.position(1).x, 4, 1e-9);
+    EXPECT_NEAR(rig.position(3).x - rig.position(1).x, 8, 1e-9);
+    EXPECT_EQ(rig.document().history().names().size(), 1u);
+}
+
+TEST(Panels, TypingSetsAllToTheSame)
+{
+    Rig rig;
+    rig.editor->selection().set(ids({1, 2, 3}));
+    rig.frame(2);
+    rig.hold(true);
+    rig.click("Position Y", "number"); // Ctrl and click types
+    rig.hold(false);
+    rig.type("2.5");
+    rig.key({.key = Key::Enter});
+    for (const std::uint32_t id : {1, 2, 3}) EXPECT_EQ(rig.position(id).y, 2.5);
+    EXPECT_EQ(rig.position(2).x, 4);
+    EXPECT_EQ(rig.document().history().names().size(), 1u);
+}
+
+TEST(Panels, EnvironmentChangesGoThroughUndo)
+{
+    Rig rig;
+    rig.click("Environment", "tab");
+    const float before = rig.document().scene().environment().exposure;
+    const ImVec2 field = rig.at("Exposure", "number");
+    rig.drag(field, {field.x + 40, field.y});
+    const float after = rig.document().scene().environment().exposure;
+    EXPECT_GT(after, before);
+    rig.click("Time of day", "number"); // a click alone changes nothing
+    rig.key({.key = Key::Escape});
+    EXPECT_EQ(rig.document().history().names().size(), 1u);
+    rig.key(editor::ctrl(Key::Z));
+    EXPECT_EQ(rig.document().scene().environment().exposure, before);
+}
+
+TEST(Panels, TheSunIsDraggedOnItsDial)
+{
+    Rig rig;
+    rig.click("Environment", "tab");
+    const ImVec2 middle = rig.at("Sun", "dial");
+    rig.drag(middle, {middle.x + 36, middle.y}); // half way to the east
+    const io::Sun sun = rig.document().scene().environment().sun;
+    EXPECT_EQ(sun.mode, io::SunMode::Manual);
+    EXPECT_NEAR(sun.azimuth, 90, 2);
+    EXPECT_NEAR(sun.elevation, 45, 2);
+    EXPECT_EQ(rig.document().history().names().size(), 1u);
+}
+
+TEST(Panels, HierarchySelectsRanges)
+{
+    Rig rig;
+    rig.editor->selection().set(io::ObjectId{1}); // opens its heading
+    rig.frame(3);
+    rig.click("crate 2", "row");
+    rig.hold(false, true);
+    rig.click("crate 4", "row");
+    rig.hold(false);
+    EXPECT_EQ(rig.editor->selection().size(), 3u);
+    rig.hold(true);
+    rig.click("crate 3", "row");
+    rig.hold(false);
+    EXPECT_EQ(rig.editor->selection().size(), 2u);
+    EXPECT_FALSE(rig.editor->selection().contains(io::ObjectId{3}));
+}
+
+TEST(Panels, HierarchyDragsIntoAGroup)
+{
+    Rig rig;
+    const io::ObjectId group = editor::group(rig.document(), ids({1, 2}), "Pile");
+    rig.editor->selection().set(io::ObjectId{4});
+    rig.frame(3);
+    rig.drag(rig.at("crate 4", "row"), rig.at("Pile", "row"));
+    EXPECT_EQ(rig.document().scene().at(io::ObjectId{4}).parent, group);
+    rig.key(editor::ctrl(Key::Z));
+    EXPECT_EQ(rig.document().scene().at(io::ObjectId{4}).parent, io::ObjectId::None);
+}
+
+TEST(Panels, HierarchyRenamesByF2)
+{
+    Rig rig;
+    rig.editor->selection().set(io::ObjectId{2});
+    rig.frame(3);
+    rig.move(rig.at("crate 2", "row"));
+    rig.key({.key = Key::F2});
+    rig.frame(2);
+    rig.type("Chest");
+    rig.key({.key = Key::Enter});
+    rig.frame(2);
+    EXPECT_EQ(rig.document().scene().at(io::ObjectId{2}).name, "Chest");
+    EXPECT_TRUE(rig.has("Chest", "row"));
+}
+
+TEST(Panels, SearchFindsByName)
+{
+    Rig rig;
+    rig.click("Search objects", "text");
+    rig.type("3");
+    EXPECT_TRUE(rig.has("crate", "row"));
+    rig.editor->selection().set(io::ObjectId{3});
+    rig.frame(3);
+    EXPECT_TRUE(rig.has("crate 3", "row"));
+    EXPECT_FALSE(rig.has("crate 4", "row"));
+}
+
+TEST(Panels, TemplateFieldsAreEdited)
+{
+    Rig rig;
+    rig.click("crate", "template");
+    rig.click("Align to ground", "checkbox");
+    EXPECT_TRUE(rig.document().scene().find(io::TemplateId{1})->alignToGround);
+    rig.key(editor::ctrl(Key::Z));
+    EXPECT_FALSE(rig.document().scene().find(io::TemplateId{1})->alignToGround);
+}
+
+TEST(Panels, HistoryGoesBack)
+{
+    Rig rig;
+    for (int i = 0; i < 3; ++i)
+        editor::edit(rig.document(), "Step", ids({1}), [](io::Object& o) { o.transform.position.y += 1; });
+    rig.click("History", "tab");
+    rig.click("Opened", "step");
+    EXPECT_EQ(rig.position(1).y, 0);
+}
+
+TEST(Panels, AHundredThousandObjectsStayQuick)
+{
+    Rig rig{crates(100'000)};
+    rig.editor->selection().set(io::ObjectId{5});
+    rig.frame(5);
+    const auto start = std::chrono::steady_clock::now();
+    rig.frame(20);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    EXPECT_LT(took.count() / 20, 30) << "ms a frame";
+    EXPECT_TRUE(rig.has("crate 5", "row"));
+}
+
+} // namespace
