@@ -65,12 +65,17 @@ Model read(const fs::path& file, const fs::path& root, std::string_view bytes, g
 
 Result<Model> readModel(const fs::path& file, const fs::path& root, Complaints& complaints)
 {
-    const std::string where = file.string();
     const Result<std::string> bytes = readFile(file, kLargestFile);
     if (!bytes) return bytes.error();
+    return readModelBytes(*bytes, file, root, complaints);
+}
+
+Result<Model> readModelBytes(std::string_view bytes, const fs::path& file, const fs::path& root, Complaints& complaints)
+{
+    const std::string where = file.string();
     gltf::Notes notes{where, complaints};
     try {
-        return read(fs::weakly_canonical(file), fs::weakly_canonical(root), *bytes, notes);
+        return read(fs::weakly_canonical(file), fs::weakly_canonical(root), bytes, notes);
     } catch (const gltf::Refused& refused) {
         return Error{where, refused.what};
     } catch (const std::bad_alloc&) {
