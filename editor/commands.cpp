@@ -159,27 +159,18 @@ template class SwapPart<io::Terrain>;
 template class SwapPart<std::vector<io::Camera>>;
 template class SwapPart<std::vector<io::CameraPath>>;
 
-void Composite::add(std::unique_ptr<Command> command)
+void Composite::add(std::unique_ptr<Command> done)
 {
-    // Commands that do not absorb each other touch different things, so their order does not matter.
-    if (m_state == State::Done)
-        for (const auto& earlier : m_commands)
-            if (earlier->absorb(*command)) return;
-    m_commands.push_back(std::move(command));
+    for (const auto& earlier : m_commands)
+        if (earlier->absorb(*done)) return;
+    m_commands.push_back(std::move(done));
 }
 
 io::Changes Composite::swap(io::World& world)
 {
     io::Changes changes;
-    if (m_state == State::ToDo) {
-        for (const auto& command : m_commands)
-            changes.add(command->swap(world));
-        m_state = State::Done;
-    } else {
-        for (auto command = m_commands.rbegin(); command != m_commands.rend(); ++command)
-            changes.add((*command)->swap(world));
-        m_state = State::ToDo;
-    }
+    for (const auto& command : m_commands)
+        changes.add(command->swap(world));
     return changes;
 }
 

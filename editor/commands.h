@@ -62,13 +62,12 @@ using SwapTerrain = SwapPart<io::Terrain>;
 using SwapCameras = SwapPart<std::vector<io::Camera>>;
 using SwapPaths = SwapPart<std::vector<io::CameraPath>>;
 
-// Several commands as one step.
+// Several commands, already done, as one step. Those that cannot absorb each other touch different things, so the
+// order in which they are swapped does not matter.
 class Composite final : public Command {
 public:
-    enum class State { ToDo, Done }; // of the commands that are added
-    explicit Composite(std::string name, State state = State::ToDo) : Command{std::move(name)}, m_state{state} {}
-
-    void add(std::unique_ptr<Command> command); // merged into what a finished one holds where it can be
+    using Command::Command;
+    void add(std::unique_ptr<Command> done); // merged into what it holds where it can be
     bool empty() const { return m_commands.empty(); }
 
     io::Changes swap(io::World& world) override;
@@ -77,7 +76,6 @@ public:
 
 private:
     std::vector<std::unique_ptr<Command>> m_commands;
-    State m_state;
 };
 
 } // namespace editor

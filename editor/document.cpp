@@ -38,7 +38,7 @@ void Document::run(std::unique_ptr<Command> command)
 
 void Document::beginGesture(std::string name)
 {
-    if (m_gestureDepth++ == 0) m_gesture = std::make_unique<Composite>(std::move(name), Composite::State::Done);
+    if (m_gestureDepth++ == 0) m_gesture = std::make_unique<Composite>(std::move(name));
 }
 
 void Document::endGesture()

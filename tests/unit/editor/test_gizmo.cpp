@@ -190,6 +190,17 @@ TEST(Gizmo, ScalingGrowsByTheWayAlongTheHandle)
     EXPECT_FLOAT_EQ(scaled[0].scale.z, 4.5f);
 }
 
+TEST(Gizmo, NothingIsDraggedOutOfTheWorld)
+{
+    Gizmo gizmo;
+    const std::vector<io::Transform> one{{.position = {9'999'995, 0, 0}}};
+    const View view{.camera = {.eye = {9'999'995, 0, 20}}, .size = {1280, 720}};
+    const double length = handleLength(view, one[0].position);
+    ASSERT_TRUE(gizmo.begin(view, GizmoHandle::X, pixelOf(view, one[0].position + glm::dvec3{length, 0, 0}), one));
+    EXPECT_NEAR(gizmo.update(view, pixelOf(view, one[0].position + glm::dvec3{length + 3, 0, 0}), false)[0].position.x, 9'999'998, 0.01);
+    EXPECT_EQ(gizmo.update(view, pixelOf(view, one[0].position + glm::dvec3{length + 9, 0, 0}), false)[0], one[0]);
+}
+
 TEST(Gizmo, StaysSoundWhateverTheViewAndTheMouseDo)
 {
     Random random{17};

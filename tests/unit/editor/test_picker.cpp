@@ -242,6 +242,13 @@ TEST(Picker, FarFromTheOriginItIsStillExact)
     const PickHit side = picker.pick({.origin = at + glm::dvec3{50, 1, 0}, .direction = {-1, 0, 0}});
     ASSERT_TRUE(side);
     EXPECT_NEAR(side.position.x, at.x + 1, 1e-5);
+    // A float at 80 km is good for 8 mm; the edges are where they are to a millimetre.
+    for (const double x : {-0.999, 0.999})
+        for (const double z : {-0.999, 0.999}) {
+            EXPECT_TRUE(picker.pick({.origin = at + glm::dvec3{x, 100, z}, .direction = {0, -1, 0}}));
+            EXPECT_FALSE(picker.pick({.origin = at + glm::dvec3{x * 1.002, 100, z}, .direction = {0, -1, 0}}));
+            EXPECT_FALSE(picker.pick({.origin = at + glm::dvec3{x, 100, z * 1.002}, .direction = {0, -1, 0}}));
+        }
 }
 
 TEST(Picker, TheBoxTakesWhatLiesInIt)

@@ -197,7 +197,7 @@ TEST(Script, WhatFailsSaysWhyAndChangesNothing)
           R"({"do":"move","by":[1,0,0],"ids":[4711]})", R"({"do":"move","by":[1,0,0],"ids":[1.5]})",
           R"({"do":"move","by":[1,0,0],"ids":["1"]})", R"({"do":"move","ids":[1]})", R"({"do":"move","ids":[1],"by":[1,0,0],"to":[1,0,0]})",
           R"({"do":"move","ids":[1],"by":[1,0,0],"space":"sideways"})", R"({"do":"move","ids":[1],"by":[9999999,9999999,0]})",
-          R"({"do":"scale","ids":[1],"by":0})", R"({"do":"scale","ids":[1],"by":[1,0,1]})", R"({"do":"rotate","ids":[1],"by":"90"})",
+          R"({"do":"scale","ids":[1],"by":0})", R"({"do":"scale","ids":[1,2,3,4,5],"by":999999,"space":"local"})", R"({"do":"scale","ids":[1],"by":[1,0,1]})", R"({"do":"rotate","ids":[1],"by":"90"})",
           R"({"do":"delete"})", R"({"do":"ungroup","ids":[3]})", R"({"do":"select"})", R"({"do":"select","ids":[1],"mode":"maybe"})",
           R"({"do":"select","box":[1,2,3]})", R"({"do":"select","pixel":[1]})", R"({"do":"rename","id":3})", R"({"do":"assign","id":61,"template":"blob"})",
           R"({"do":"align","ids":[1],"axis":"w"})", R"({"do":"set","key":"environment.sun.azimuth","value":"east"})",
