@@ -209,6 +209,7 @@ void build(CLI::App& app, Options& o)
     app.require_subcommand(1);
     const auto command = [&](Command which, const std::string& help, auto&&... adds) {
         CLI::App& sub = *app.add_subcommand(std::string{nameOf(which)}, help);
+        sub.option_defaults()->take_last();
         (adds(sub, o), ...);
         addCommon(sub, o);
         sub.callback([&o, which] { o.command = which; });
@@ -281,15 +282,9 @@ std::optional<std::string> contradiction(const Options& o)
     return std::nullopt;
 }
 
-Ending misuse(const CLI::App& usage, std::string_view what)
+Ending misuse(const CLI::App& app, std::string_view what)
 {
-    return {2, fmt::format("{}\nwold: {}\n", usage.help(), what)};
-}
-
-const CLI::App& usageOf(const CLI::App& app)
-{
-    const auto chosen = app.get_subcommands();
-    return chosen.empty() ? app : *chosen.front();
+    return {2, fmt::format("{}\nwold: {}\n", app.help(), what)}; // of the command, where one is named
 }
 
 } // namespace
@@ -306,13 +301,13 @@ std::variant<Options, Ending> parseOptions(std::vector<std::string> arguments)
     try {
         app.parse(arguments);
     } catch (const CLI::CallForHelp&) {
-        return Ending{0, usageOf(app).help()};
+        return Ending{0, app.help()};
     } catch (const CLI::CallForVersion& version) {
         return Ending{0, fmt::format("{}\n", version.what())};
     } catch (const CLI::Error& error) {
-        return misuse(usageOf(app), error.what());
+        return misuse(app, error.what());
     }
-    if (const auto fault = contradiction(options)) return misuse(usageOf(app), *fault);
+    if (const auto fault = contradiction(options)) return misuse(app, *fault);
     return options;
 }
 

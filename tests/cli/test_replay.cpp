@@ -2,6 +2,9 @@
 #include "io/files/image_file.h"
 #include "tests/cli/wold.h"
 
+#include <algorithm>
+#include <fmt/format.h>
+
 namespace test {
 namespace {
 
@@ -37,7 +40,58 @@ TEST_F(Replay, isTheSameEveryTime)
 TEST_F(Replay, aBrokenLineIsNamedBeforeAnythingIsOpened)
 {
     expectFault(play("{\"wait\": 1}\n{\"click\": [1]}\n"), "events.jsonl:2");
-    expectFault(play("{\"click\": {\"panel\": \"toolbar\", \"label\": \"Nowhere\"}}\n"), "events.jsonl:1");
+    expectFault(play("{\"click\": {\"panel\": \"toolbar\", \"label\": \"Nowhere\"}}\n", {"--size", "320x200"}), "events.jsonl:1");
+}
+
+// Where the camera of the small world sees a point of the ground, from the middle of the viewport.
+std::string inView(double x, double y)
+{
+    return fmt::format(R"({{"panel": "viewport", "kind": "viewport", "offset": [{}, {}]}})", x, y);
+}
+
+TEST_F(Replay, selectsDragsPlacesUndoesAndSaves)
+{
+    const std::string before = scene();
+    const std::string crate = inView(0, 13), handle = inView(60, 32), farther = inView(100, 32), ground = inView(-200, 100);
+    const Ran ran = play("{\"wait\": 2}\n{\"click\": " + crate + "}\n" +                                  // the third crate
+                         "{\"drag\": {\"from\": " + handle + ", \"to\": " + farther + ", \"mods\": [\"ctrl\"]}}\n" + // snapped: 2 m
+                         "{\"click\": {\"panel\": \"templates\", \"label\": \"crate\", \"kind\": \"template\"}}\n" +
+                         "{\"click\": " + ground + "}\n{\"wait\": 2}\n{\"uimap\": \"" + folder / "placed.json" + "\"}\n" +
+                         "{\"key\": \"Ctrl+Z\"}\n{\"wait\": 1}\n{\"key\": \"Ctrl+S\"}\n{\"wait\": 2}\n");
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    std::string expected = before;
+    const std::string third = R"({"id":3,"template":"crate","position":[0,0,0]})";
+    ASSERT_NE(expected.find(third), std::string::npos);
+    expected.replace(expected.find(third), third.size(), R"({"id":3,"template":"crate","position":[2,0,0]})");
+    EXPECT_EQ(scene(), expected);
+    EXPECT_NE(textOf(folder / "placed.json").find("crate 7"), std::string::npos); // it was there before the undo
+}
+
+TEST_F(Replay, whatIsPlacedStandsWhereTheRayMeetsTheGround)
+{
+    const Ran ran = play("{\"wait\": 2}\n{\"uimap\": \"" + folder / "map.json" + "\"}\n" +
+                         "{\"click\": {\"panel\": \"templates\", \"label\": \"crate\", \"kind\": \"template\"}}\n" +
+                         "{\"click\": " + inView(-200, 100) + "}\n{\"wait\": 1}\n{\"key\": \"Ctrl+S\"}\n{\"wait\": 2}\n");
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const io::Value map = json(textOf(folder / "map.json"));
+    const auto viewport = std::ranges::find_if(*map.asArray(), [](const io::Value& item) { return text(item, "kind") == "viewport"; });
+    ASSERT_NE(viewport, map.asArray()->end());
+    const auto side = [&](std::size_t i) { return int(*(*viewport->find("rect")->asArray())[i].asNumber()); };
+    const std::string size = fmt::format("{}x{}", side(2), side(3));
+    // The pointer is at whole pixels of the window; the viewport begins at one.
+    const std::string points = folder.write("points", fmt::format("{}.0 {}.0\n", side(2) / 2 - 200, side(3) / 2 + 100));
+    const Ran asked = wold({"run", project, "-", "--quiet"}, R"({"do": "object", "id": 7}
+{"do": "select", "ids": [7]}
+{"do": "delete"}
+{"do": "save"}
+)");
+    ASSERT_EQ(asked.code, 0) << asked.err;
+    const io::Value object = json(linesOf(asked.out).at(0)); // it is gone now, so that the ray meets the ground
+    const io::Value hit = json(linesOf(wold({"pick", project, "--points", points, "--size", size}).out).at(0));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double there = *(*object.find("position")->asArray())[axis].asNumber();
+        EXPECT_NEAR(there, *(*hit.find("position")->asArray())[axis].asNumber(), 0.05) << axis;
+    }
 }
 
 TEST_F(Replay, changesNothingOnDiskWithoutASave)

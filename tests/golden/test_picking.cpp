@@ -2,6 +2,7 @@
 #include "editor/picker.h"
 #include "tests/golden/valley.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <random>
 

@@ -66,6 +66,11 @@ TEST(Options, setKeepsItsOrderAndItsCommas)
     EXPECT_EQ(o.sets[1].second, "off");
 }
 
+TEST(Options, theLastOfARepeatedOptionCounts)
+{
+    EXPECT_EQ(parsed({"render", "p", "--out", "a.png", "--size", "1x1", "--size", "30x20"}).size, glm::ivec2(30, 20));
+}
+
 TEST(Options, framesAndShow)
 {
     const Options o = parsed({"render", "p", "--out", "a.png", "--frames", "3..9", "--path", "flight", "--show", "depth"});
@@ -101,7 +106,7 @@ TEST(Options, wrongWordsEndWithTwoAndSayWhat)
         const Ending ending = refused(words);
         EXPECT_EQ(ending.code, 2) << words.back();
         EXPECT_TRUE(lastLine(ending.text).starts_with("wold: ")) << ending.text;
-        EXPECT_NE(ending.text.find("Usage"), std::string::npos);
+        EXPECT_NE(ending.text.find("Usage: wold " + words.front()), std::string::npos) << ending.text;
     }
 }
 
