@@ -73,6 +73,11 @@ void ungroupSelected(Editor& e)
     select(e, members);
 }
 
+void askToRevert(Editor& e)
+{
+    e.dialogs().confirm(tr("dialog.revert"), tr("dialog.revert_text"), tr("dialog.discard"), [&e] { e.revert(); });
+}
+
 void storeCamera(Editor& e)
 {
     e.step("undo.store_camera", [&](Document& d) {
@@ -131,7 +136,7 @@ void fileActions(Actions& a, Editor& e)
            .run = [&e] { e.dialogs().askToSave(e, [&e] { e.dialogs().showOpen(e); }); }});
     a.add({.id = "save", .icon = Icon::Save, .keys = ctrl(Key::S), .run = [&e] { e.save(); }, .enabled = open});
     a.add({.id = "save_as", .keys = ctrlShift(Key::S), .run = [&e] { e.dialogs().showSaveAs(e); }, .enabled = open});
-    a.add({.id = "revert", .icon = Icon::Reset, .run = [&e] { e.revert(); },
+    a.add({.id = "revert", .icon = Icon::Reset, .run = [&e] { askToRevert(e); },
            .enabled = [&e] { return e.document() && e.document()->modified(); }});
     a.add({.id = "close", .icon = Icon::Home, .keys = ctrl(Key::W),
            .run = [&e] { e.dialogs().askToSave(e, [&e] { e.closeProject(); }); }, .enabled = open});

@@ -12,7 +12,7 @@
 namespace editor {
 namespace {
 
-constexpr float kResetWidth = 22; // pixels kept free at the end of a row
+constexpr float kResetWidth = 24; // pixels kept free at the end of a row
 
 std::string shownUnit(std::string_view unit)
 {
@@ -97,9 +97,8 @@ void FieldUi::endRow(const Row& row)
 bool FieldUi::resetButton(const Row& row)
 {
     if (m_options.defaults.empty() || !row.differs || !row.enabled) return false;
-    ImGui::SameLine(0, 3);
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 3);
-    return ui::iconButton({.id = "reset", .icon = Icon::Reset, .label = trf("common.reset_field", row.label), .size = 19,
+    ImGui::SameLine(0, 1);
+    return ui::iconButton({.id = "reset", .icon = Icon::Reset, .label = trf("common.reset_field", row.label), .size = ImGui::GetFrameHeight(),
                            .colour = palette::kSoftText});
 }
 

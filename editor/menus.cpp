@@ -25,11 +25,26 @@ void recentMenu(Editor& editor)
     ImGui::EndMenu();
 }
 
+void scenesMenu(Editor& editor)
+{
+    const Document* document = editor.document();
+    if (!document || document->project().scenes.size() < 2 || !ui::beginMenu(tr("menu.scenes"))) return;
+    for (const io::SceneEntry& entry : document->project().scenes) {
+        const bool open = entry.name == document->world().entry.name;
+        if (!ui::menuItem(entry.name.c_str(), nullptr, open) || open) continue;
+        editor.dialogs().askToSave(editor, [&editor, folder = document->project().folder, name = entry.name] {
+            editor.open(folder, name);
+        });
+    }
+    ImGui::EndMenu();
+}
+
 void fileMenu(Editor& editor)
 {
     if (!ui::beginMenu(tr("menu.file"))) return;
     items(editor, {"new", "open"});
     recentMenu(editor);
+    scenesMenu(editor);
     items(editor, {"", "save", "save_as", "revert", "", "close", "quit"});
     ImGui::EndMenu();
 }

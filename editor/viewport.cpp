@@ -32,6 +32,7 @@ void Viewport::reset()
     m_cycle.reset();
     stopPlacing();
     m_tinted.clear();
+    m_transforms.clear();
     m_lines.clear();
     m_shownRevision = m_shownSelection = 0;
 }
@@ -189,7 +190,7 @@ void Viewport::release(Editor& editor)
     case Drag::Look:
         if (clickDistance()) break;
         if (m_placing != io::TemplateId::None) stopPlacing();
-        else ImGui::OpenPopup("##context");
+        else openContextMenu(editor);
         break;
     case Drag::Click: click(editor); break;
     case Drag::Box: selectBox(editor); break;
@@ -218,8 +219,9 @@ void Viewport::updateHover(Editor& editor)
 {
     if (m_drag != Drag::None && m_drag != Drag::Click) return;
     GizmoHandle handle = GizmoHandle::None;
-    if (m_hovered && gizmoShown && m_placing == io::TemplateId::None && !editor.selection().empty())
-        if (const auto frame = gizmo.frame(gizmoTransforms(editor))) handle = gizmo.hit(view(), *frame, pointer());
+    refreshSelectionShown(editor);
+    if (m_hovered && gizmoShown && m_placing == io::TemplateId::None && !m_transforms.empty())
+        if (const auto frame = gizmo.frame(m_transforms)) handle = gizmo.hit(view(), *frame, pointer());
     gizmo.hover(handle);
 }
 

@@ -63,8 +63,7 @@ private:
     bool beginGizmo(Editor& editor);
     void dragGizmo(Editor& editor);
     void endGizmo(Editor& editor, bool keep);
-    std::vector<io::ObjectId> gizmoIds(Editor& editor) const;
-    std::vector<io::Transform> gizmoTransforms(Editor& editor) const;
+    void openContextMenu(Editor& editor);
     void contextMenu(Editor& editor);
 
     void updateGhost(Editor& editor);
@@ -74,7 +73,7 @@ private:
     renderer::FrameInput frameInput(Editor& editor);
     void refreshSelectionShown(Editor& editor);
     void overlays(Editor& editor);
-    void drawGizmo(Editor& editor) const;
+    void drawGizmo() const;
     void drawBox() const;
     void drawCompass() const;
     void drawHints(Editor& editor) const;
@@ -99,7 +98,8 @@ private:
     std::optional<float> m_yaw;
     std::uint64_t m_seed = 1;
 
-    std::vector<io::ObjectId> m_tinted; // the selection with the members of its groups
+    std::vector<io::ObjectId> m_tinted; // the selection with the members of its groups, the primary last
+    std::vector<io::Transform> m_transforms; // of those
     std::vector<renderer::Line> m_lines;
     std::uint64_t m_shownRevision = 0, m_shownSelection = 0;
     double m_speedShown = 0; // s left

@@ -94,12 +94,17 @@ void Viewport::refreshSelectionShown(Editor& editor)
     m_shownRevision = document.revision();
     m_shownSelection = editor.selection().revision();
     m_tinted = document.hierarchy().withMembers(editor.selection().ids());
+    const auto primary = std::find(m_tinted.begin(), m_tinted.end(), editor.selection().primary());
+    if (primary != m_tinted.end()) std::rotate(primary, primary + 1, m_tinted.end());
+    std::erase_if(m_tinted, [&document](io::ObjectId id) { return !document.scene().find(id); });
+    m_transforms.clear();
+    for (const io::ObjectId id : m_tinted) m_transforms.push_back(document.scene().at(id).transform);
     m_lines.clear();
     for (const io::ObjectId id : editor.selection().ids()) {
         const io::Object* object = document.scene().find(id);
         if (!object || object->templateId != io::TemplateId::None) continue;
         if (const io::WorldBox box = boundsOf(document, {&id, 1}); !box.empty())
-            addBox(m_lines, box, {0.62f, 0.47f, 1.0f, 0.9f});
+            addBox(m_lines, box, {0.62f, 0.47f, 1.0f, 0.55f});
     }
 }
 
@@ -107,7 +112,7 @@ void Viewport::overlays(Editor& editor)
 {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(m_min, {m_min.x + float(m_size.x), m_min.y + float(m_size.y)}, true);
-    drawGizmo(editor);
+    drawGizmo();
     if (m_drag == Drag::Box) drawBox();
     drawCompass();
     drawHints(editor);
@@ -115,10 +120,10 @@ void Viewport::overlays(Editor& editor)
     draw.PopClipRect();
 }
 
-void Viewport::drawGizmo(Editor& editor) const
+void Viewport::drawGizmo() const
 {
-    if (!gizmoShown || editor.selection().empty() || m_placing != io::TemplateId::None) return;
-    const auto frame = gizmo.dragging() ? std::optional{gizmo.activeFrame()} : gizmo.frame(gizmoTransforms(editor));
+    if (!gizmoShown || m_transforms.empty() || m_placing != io::TemplateId::None) return;
+    const auto frame = gizmo.dragging() ? std::optional{gizmo.activeFrame()} : gizmo.frame(m_transforms);
     if (!frame) return;
     const MapPanel map{"gizmo"};
     ImDrawList& draw = *ImGui::GetWindowDrawList();

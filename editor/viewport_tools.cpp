@@ -50,29 +50,12 @@ void Viewport::selectBox(Editor& editor)
                              wholeGroups(editor.document()->hierarchy(), ids));
 }
 
-// Everything that a drag moves: groups with their members, the primary last.
-std::vector<io::ObjectId> Viewport::gizmoIds(Editor& editor) const
-{
-    const Hierarchy& hierarchy = editor.document()->hierarchy();
-    std::vector<io::ObjectId> ids = hierarchy.withMembers(editor.selection().ids());
-    const auto primary = std::find(ids.begin(), ids.end(), editor.selection().primary());
-    if (primary != ids.end()) std::rotate(primary, primary + 1, ids.end());
-    return ids;
-}
-
-std::vector<io::Transform> Viewport::gizmoTransforms(Editor& editor) const
-{
-    std::vector<io::Transform> transforms;
-    for (const io::ObjectId id : gizmoIds(editor))
-        if (const io::Object* object = editor.document()->scene().find(id)) transforms.push_back(object->transform);
-    return transforms;
-}
-
 bool Viewport::beginGizmo(Editor& editor)
 {
     if (!gizmoShown || gizmo.hovered() == GizmoHandle::None) return false;
-    m_dragIds = gizmoIds(editor);
-    if (!gizmo.begin(view(), gizmo.hovered(), pointer(), gizmoTransforms(editor))) return false;
+    refreshSelectionShown(editor);
+    m_dragIds = m_tinted;
+    if (!gizmo.begin(view(), gizmo.hovered(), pointer(), m_transforms)) return false;
     editor.document()->beginGesture(stepName(dragName(gizmo.mode), editor.selection().size()));
     return true;
 }
@@ -91,6 +74,18 @@ void Viewport::endGizmo(Editor& editor, bool keep)
     gizmo.end();
     if (keep) editor.document()->endGesture();
     else editor.document()->cancelGesture();
+}
+
+// Of what is under the pointer: it is selected first, unless it is already.
+void Viewport::openContextMenu(Editor& editor)
+{
+    const PickHit hit = editor.picker().pick(view(), pointer());
+    if (hit.surface == Surface::Object) {
+        const std::vector<io::ObjectId> ids = wholeGroups(editor.document()->hierarchy(), {&hit.id, 1});
+        if (!ids.empty() && !editor.selection().contains(ids.front())) editor.selection().set(ids);
+        editor.inspectTemplate = false;
+    }
+    ImGui::OpenPopup("##context");
 }
 
 void Viewport::contextMenu(Editor& editor)

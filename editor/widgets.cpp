@@ -245,6 +245,7 @@ bool number(const NumberField& field, double& value)
     const bool changed = ImGui::DragScalar(field.id, ImGuiDataType_Double, &edited, float(dragSpeed(field, width)),
                                            &field.min, &field.max, format.c_str(), flags);
     ImGui::PopStyleColor(4);
+    if (ImGui::IsItemHovered() && !typing) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     mapItem("number", field.label, value);
     if (!ImGui::TempInputIsActive(ImGui::GetItemID())) fieldText(field, value, min, max);
     axisEdge(field.axis, min, max);

@@ -24,6 +24,7 @@ void Dialogs::draw(Editor& editor)
     case Which::Keys: return drawKeys(editor);
     case Which::Message: return drawMessage();
     case Which::AskToSave: return drawAskToSave(editor);
+    case Which::Confirm: return drawConfirm();
     case Which::None: break;
     }
 }
@@ -103,6 +104,26 @@ void Dialogs::drawAskToSave(Editor& editor)
     if (ui::button("save", tr("dialog.save"), ui::Emphasis::Accent, {kWide, 0}) || pressed(Key::Enter)) {
         if (editor.save()) go();
         else close();
+    }
+    end();
+}
+
+void Dialogs::confirm(std::string title, std::string text, std::string accept, std::function<void()> then)
+{
+    m_question = {std::move(title), std::move(text)};
+    m_accept = std::move(accept);
+    m_then = std::move(then);
+    m_which = Which::Confirm;
+}
+
+void Dialogs::drawConfirm()
+{
+    if (!begin(m_question.title.c_str(), 460)) return;
+    ui::softText(m_question.text);
+    if (buttons(m_accept.c_str(), true)) {
+        const std::function<void()> then = std::move(m_then);
+        close();
+        then();
     }
     end();
 }

@@ -22,11 +22,14 @@ public:
     // Runs `then` at once when nothing is unsaved; otherwise after Save or Discard, and not at all after Cancel.
     void askToSave(Editor& editor, std::function<void()> then);
 
+    // Runs `then` when the person agrees.
+    void confirm(std::string title, std::string text, std::string accept, std::function<void()> then);
+
     void draw(Editor& editor);
     bool any() const { return m_which != Which::None || !m_messages.empty(); }
 
 private:
-    enum class Which { None, Open, New, SaveAs, Keys, Message, AskToSave };
+    enum class Which { None, Open, New, SaveAs, Keys, Message, AskToSave, Confirm };
     struct Message {
         std::string title, text;
     };
@@ -39,6 +42,7 @@ private:
     void drawKeys(Editor& editor);
     void drawMessage();
     void drawAskToSave(Editor& editor);
+    void drawConfirm();
     void openChosen(Editor& editor, const std::filesystem::path& project);
     bool buttons(const char* accept, bool enabled); // and Cancel, which closes
 
@@ -48,6 +52,8 @@ private:
     int m_starter = 0;
     std::string m_fault; // shown in the dialog
     std::deque<Message> m_messages;
+    Message m_question;
+    std::string m_accept;
     std::function<void()> m_then;
 };
 

@@ -52,22 +52,28 @@ void InspectorPanel::drawObjects(Editor& editor)
     const io::Object* found = editor.document()->scene().find(editor.selection().primary());
     if (!found) return;
     const io::Object primary = *found; // a copy: an edit below moves what it refers to
-    refreshMixed(editor, primary);
+    refresh(editor, primary);
     drawHeader(editor, primary);
     drawTemplateChoice(editor, primary);
     drawGroupRow(editor, primary);
     ImGui::Dummy({0, 2});
     if (ui::section("transform", tr("section.transform"))) drawTransform(editor, primary);
     ImGui::Dummy({0, 2});
-    if (ui::section("facts", tr("section.facts"))) drawFacts(editor, primary);
+    if (ui::section("facts", tr("section.facts"))) drawFacts(primary);
 }
 
-void InspectorPanel::refreshMixed(Editor& editor, const io::Object& primary)
+void InspectorPanel::refresh(Editor& editor, const io::Object& primary)
 {
     const Document& document = *editor.document();
     if (m_revision == document.revision() && m_selection == editor.selection().revision()) return;
     m_revision = document.revision();
     m_selection = editor.selection().revision();
+    m_bounds = boundsOf(document, editor.selection().ids());
+    m_members = document.hierarchy().withMembers({{primary.id}}).size() - 1;
+    m_triangles = 0;
+    for (const io::ObjectId id : document.hierarchy().withMembers(editor.selection().ids()))
+        if (const io::Object* object = document.scene().find(id))
+            if (const io::Model* model = document.assets().model(object->templateId)) m_triangles += model->triangles();
     const std::vector<Scalar> own = scalarsOf(primary.transform);
     m_mixed.assign(own.size(), false);
     m_mixedTemplates = m_mixedNames = false;
@@ -163,24 +169,17 @@ void InspectorPanel::drawTransform(Editor& editor, const io::Object& primary)
     applyToSelection(editor, ui, changes);
 }
 
-void InspectorPanel::drawFacts(Editor& editor, const io::Object& primary)
+void InspectorPanel::drawFacts(const io::Object& primary) const
 {
-    const Document& document = *editor.document();
     const auto fact = [](const char* key, const std::string& value) {
         ui::propertyLabel(tr(key));
         ui::softText(value);
         mapItem("label", tr(key), value);
     };
-    const io::WorldBox box = boundsOf(document, editor.selection().ids());
-    if (!box.empty()) fact("inspector.size", trf("inspector.size_text", box.size().x, box.size().y, box.size().z));
-    std::uint64_t triangles = 0;
-    const std::vector<io::ObjectId> all = document.hierarchy().withMembers(editor.selection().ids());
-    for (const io::ObjectId id : all)
-        if (const io::Object* object = document.scene().find(id))
-            if (const io::Model* model = document.assets().model(object->templateId)) triangles += model->triangles();
-    fact("inspector.triangles", grouped(triangles));
-    if (primary.templateId == io::TemplateId::None)
-        fact("inspector.members", grouped(document.hierarchy().withMembers({{primary.id}}).size() - 1));
+    const glm::dvec3 size = m_bounds.size();
+    if (!m_bounds.empty()) fact("inspector.size", trf("inspector.size_text", size.x, size.y, size.z));
+    fact("inspector.triangles", grouped(m_triangles));
+    if (primary.templateId == io::TemplateId::None) fact("inspector.members", grouped(m_members));
 }
 
 void InspectorPanel::drawTemplate(Editor& editor, io::TemplateId id)

@@ -3,6 +3,7 @@
 
 #include "editor/panel.h"
 #include "editor/scalars.h"
+#include "io/scene/bounds.h"
 #include "io/scene/object.h"
 
 #include <string>
@@ -21,14 +22,17 @@ private:
     void drawTemplateChoice(Editor& editor, const io::Object& primary);
     void drawGroupRow(Editor& editor, const io::Object& primary);
     void drawTransform(Editor& editor, const io::Object& primary);
-    void drawFacts(Editor& editor, const io::Object& primary);
+    void drawFacts(const io::Object& primary) const;
     void drawTemplate(Editor& editor, io::TemplateId id);
-    void refreshMixed(Editor& editor, const io::Object& primary);
+    void refresh(Editor& editor, const io::Object& primary);
 
     std::vector<bool> m_mixed;       // by scalar of the transform
     bool m_mixedTemplates = false;
     bool m_mixedNames = false;
-    std::uint64_t m_revision = 0, m_selection = 0; // of which the three are
+    io::WorldBox m_bounds;
+    std::uint64_t m_triangles = 0;
+    std::size_t m_members = 0; // of the primary, when it is a group
+    std::uint64_t m_revision = 0, m_selection = 0; // of which all these are
 };
 
 } // namespace editor

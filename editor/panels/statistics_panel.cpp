@@ -11,11 +11,10 @@
 namespace editor {
 namespace {
 
-constexpr float kWidth = 126; // pixels, of a figure
+constexpr float kWidth = 112, kHeight = 50; // pixels, of a figure
 
 void figure(const char* key, const std::string& value)
 {
-    constexpr float kHeight = 50;
     const ImVec2 min = ImGui::GetCursorScreenPos();
     ImGui::Dummy({kWidth, kHeight});
     mapItem("figure", tr(key), value);
@@ -50,8 +49,6 @@ void StatisticsPanel::draw(Editor& editor)
     const bool beside = room > 640; // the passes stand beside the figures where there is room
     if (beside) ImGui::BeginChild("##figures", {std::floor(room * 0.55f), 0});
     figures(editor);
-    ImGui::Dummy({0, 2});
-    graph();
     if (beside) {
         ImGui::EndChild();
         ImGui::SameLine(0, 16);
@@ -72,9 +69,7 @@ void StatisticsPanel::note(double seconds)
 
 void StatisticsPanel::figures(Editor& editor)
 {
-    figure("statistics.fps", m_average > 0 ? fmt::format("{:.0f}", 1000 / m_average) : "–");
-    nextFigure();
-    figure("statistics.frame", fmt::format("{:.1f} ms", m_average));
+    graph();
     if (editor.renderer()) {
         const renderer::FrameStats& stats = editor.renderer()->stats();
         const std::pair<const char*, std::string> all[] = {
@@ -91,24 +86,25 @@ void StatisticsPanel::figures(Editor& editor)
     figure("statistics.undo_memory", byteText(editor.document()->history().bytes()));
 }
 
+// The times of the last frames as bars, as wide as two figures, with their mean over them.
 void StatisticsPanel::graph() const
 {
-    constexpr float kHeight = 46;
+    constexpr float kWide = 2 * kWidth + 8;
     const ImVec2 min = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x;
-    ImGui::Dummy({width, kHeight});
+    ImGui::Dummy({kWide, kHeight});
+    const std::string text = trf("statistics.frame_text", m_average > 0 ? 1000 / m_average : 0, m_average);
+    mapItem("figure", tr("statistics.frame"), text);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddRectFilled(min, {min.x + width, min.y + kHeight}, palette::kField, 4);
+    draw.AddRectFilled(min, {min.x + kWide, min.y + kHeight}, palette::kRaised, 4);
     const float highest = std::max(20.f, *std::max_element(m_frames.begin(), m_frames.end()) * 1.1f);
-    const float at60 = min.y + kHeight * (1 - 16.67f / highest);
-    draw.AddLine({min.x, at60}, {min.x + width, at60}, IM_COL32(255, 255, 255, 24));
     const auto count = float(m_frames.size());
     for (std::size_t i = 0; i < m_frames.size(); ++i) {
         const float ms = m_frames[(m_next + i) % m_frames.size()];
-        const float x = min.x + width * float(i) / count;
-        draw.AddRectFilled({x, min.y + kHeight * (1 - ms / highest)}, {x + width / count - 1, min.y + kHeight},
-                           ms > 33.4f ? palette::kAmber : palette::kAccent);
+        const float x = min.x + kWide * float(i) / count;
+        draw.AddRectFilled({x, min.y + kHeight * (1 - ms / highest)}, {x + kWide / count - 0.6f, min.y + kHeight},
+                           withAlpha(ms > 33.4f ? palette::kAmber : palette::kAccent, 0.45f));
     }
+    draw.AddText(figureFont(), figureFont()->FontSize, {min.x + 10, min.y + 7}, palette::kText, text.c_str());
 }
 
 void StatisticsPanel::passes(Editor& editor) const

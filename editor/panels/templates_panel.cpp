@@ -71,7 +71,7 @@ void TemplatesPanel::header(Editor& editor)
     ImGui::SetNextItemWidth(std::min(280.f, ImGui::GetContentRegionAvail().x));
     ui::searchField("##search", tr("templates.search"), m_search);
     if (editor.viewport().placing() == io::TemplateId::None) return;
-    ImGui::SameLine(0, 12);
+    ImGui::SameLine(0, 8);
     if (ui::button("stop", tr("templates.stop"), ui::Emphasis::Accent)) editor.viewport().stopPlacing();
 }
 

@@ -11,6 +11,8 @@ void TreeRows::follow(const Document& document, const io::Changes& changes)
 {
     if (changes.everything) {
         m_known.clear();
+        m_openGroups.clear();
+        m_openTemplates.clear();
         for (const io::Object& object : document.scene().objects()) learn(document, object.id);
         m_stale = true;
     }
