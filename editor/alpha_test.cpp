@@ -19,9 +19,12 @@ float alphaOf(const io::Image& image, int x, int y)
 {
     const std::size_t at = std::size_t(x) * image.channels + image.channels - 1;
     switch (image.type) {
-    case io::PixelType::U8: return float(image.row<std::uint8_t>(y)[at]) / 255.0f;
-    case io::PixelType::U16: return float(image.row<std::uint16_t>(y)[at]) / 65535.0f;
-    case io::PixelType::F32: return image.row<float>(y)[at];
+    case io::PixelType::U8:
+        return float(image.row<std::uint8_t>(y)[at]) / 255.0f;
+    case io::PixelType::U16:
+        return float(image.row<std::uint16_t>(y)[at]) / 65535.0f;
+    case io::PixelType::F32:
+        return image.row<float>(y)[at];
     }
     return 1;
 }
@@ -43,8 +46,10 @@ float sampleAlpha(const io::Image& image, const io::TextureUse& use, glm::vec2 u
     if (!(std::abs(at.x) < 1e9f && std::abs(at.y) < 1e9f)) return 1;
     const glm::vec2 corner = glm::floor(at);
     const glm::vec2 part = at - corner;
-    const int x0 = wrapped(int(corner.x), image.size.x, use.wrapU), x1 = wrapped(int(corner.x) + 1, image.size.x, use.wrapU);
-    const int y0 = wrapped(int(corner.y), image.size.y, use.wrapV), y1 = wrapped(int(corner.y) + 1, image.size.y, use.wrapV);
+    const int x0 = wrapped(int(corner.x), image.size.x, use.wrapU),
+              x1 = wrapped(int(corner.x) + 1, image.size.x, use.wrapU);
+    const int y0 = wrapped(int(corner.y), image.size.y, use.wrapV),
+              y1 = wrapped(int(corner.y) + 1, image.size.y, use.wrapV);
     return glm::mix(glm::mix(alphaOf(image, x0, y0), alphaOf(image, x1, y0), part.x),
                     glm::mix(alphaOf(image, x0, y1), alphaOf(image, x1, y1), part.x), part.y);
 }

@@ -61,9 +61,11 @@ std::optional<std::vector<double>> Arguments::numbers(std::string_view key, std:
     std::vector<double> result;
     if (const io::Value::Array* items = found->asArray())
         for (const io::Value& item : *items)
-            if (const double* number = item.asNumber(); number && std::abs(*number) <= kFarthest) result.push_back(*number);
+            if (const double* number = item.asNumber(); number && std::abs(*number) <= kFarthest)
+                result.push_back(*number);
     if (!found->asArray() || found->asArray()->size() != count || result.size() != count) {
-        fail(fmt::format("{} must be {} numbers in brackets, each at most {} in size", inQuotes(key), count, kFarthest));
+        fail(
+            fmt::format("{} must be {} numbers in brackets, each at most {} in size", inQuotes(key), count, kFarthest));
         result.assign(count, 0);
     }
     return result;
@@ -92,8 +94,7 @@ std::optional<glm::dvec2> Arguments::ground(std::string_view key)
 std::optional<glm::dvec3> Arguments::factors(std::string_view key)
 {
     const io::Value* found = m_command.find(key);
-    std::optional<glm::dvec3> result =
-        found && found->asNumber() ? glm::dvec3{number(key, 1, -1e6, 1e6)} : triple(key);
+    std::optional<glm::dvec3> result = found && found->asNumber() ? glm::dvec3{number(key, 1, -1e6, 1e6)} : triple(key);
     if (result)
         for (int axis = 0; axis < 3; ++axis)
             if (!(std::abs((*result)[axis]) >= 1e-6 && std::abs((*result)[axis]) <= 1e6))
@@ -171,7 +172,8 @@ std::optional<io::Error> Arguments::finish()
 {
     if (!m_fault)
         for (const io::Value::Member& member : *m_command.asObject())
-            if (std::ranges::find(m_used, member.first) == m_used.end()) fail("does not know " + inQuotes(member.first));
+            if (std::ranges::find(m_used, member.first) == m_used.end())
+                fail("does not know " + inQuotes(member.first));
     if (!m_fault) return std::nullopt;
     return io::Error{{}, *m_fault};
 }

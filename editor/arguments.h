@@ -18,16 +18,16 @@ public:
     bool has(std::string_view key) const { return m_command.find(key) != nullptr; }
     const io::Value* value(std::string_view key); // marks it as used
 
-    std::string text(std::string_view key);                            // must be there
+    std::string text(std::string_view key); // must be there
     std::string text(std::string_view key, std::string_view fallback);
     double number(std::string_view key, double fallback, double min, double max);
     bool flag(std::string_view key, bool fallback);
-    std::optional<glm::dvec2> pair(std::string_view key);              // nothing when absent
+    std::optional<glm::dvec2> pair(std::string_view key); // nothing when absent
     std::optional<glm::dvec3> triple(std::string_view key);
-    std::optional<glm::dvec2> ground(std::string_view key);            // [x, z], or the x and z of [x, y, z]
-    std::optional<glm::dvec3> factors(std::string_view key);           // one number serves all three
-    io::ObjectId object(std::string_view key);                         // one that is in the scene
-    std::vector<io::ObjectId> ids();                                   // "ids", or the selection; never empty
+    std::optional<glm::dvec2> ground(std::string_view key);  // [x, z], or the x and z of [x, y, z]
+    std::optional<glm::dvec3> factors(std::string_view key); // one number serves all three
+    io::ObjectId object(std::string_view key);               // one that is in the scene
+    std::vector<io::ObjectId> ids();                         // "ids", or the selection; never empty
     io::TemplateId templateNamed(std::string_view key);
 
     void fail(std::string why)

@@ -48,11 +48,12 @@ io::ObjectId group(Document& document, std::span<const io::ObjectId> ids, std::s
     std::erase_if(members, [&](io::ObjectId id) { return !document.scene().find(id); });
     if (members.empty()) return io::ObjectId::None;
     const io::ObjectId parent = document.scene().at(members.front()).parent;
-    const bool common = std::ranges::all_of(
-        members, [&](io::ObjectId id) { return document.scene().at(id).parent == parent; });
+    const bool common =
+        std::ranges::all_of(members, [&](io::ObjectId id) { return document.scene().at(id).parent == parent; });
 
     const io::WorldBox bounds = boundsOf(document, members);
-    io::Object holder{.id = document.freshId(), .parent = common ? parent : io::ObjectId::None, .name = std::move(name)};
+    io::Object holder{
+        .id = document.freshId(), .parent = common ? parent : io::ObjectId::None, .name = std::move(name)};
     if (!bounds.empty()) holder.transform.position = {bounds.centre().x, bounds.min.y, bounds.centre().z};
     std::vector<SwapObjects::Slot> slots;
     slots.emplace_back(holder.id, holder);

@@ -35,11 +35,11 @@ void moveBy(Document& document, std::string name, std::span<const io::ObjectId> 
 
 struct ScatterOptions {
     std::vector<io::TemplateId> templates;
-    glm::dvec2 centre{0};     // world x, z, m
-    double radius = 10;       // m
-    double density = 0.05;    // copies per square metre
+    glm::dvec2 centre{0};  // world x, z, m
+    double radius = 10;    // m
+    double density = 0.05; // copies per square metre
     std::uint64_t seed = 1;
-    glm::dvec2 slope{0, 90};  // degrees from level
+    glm::dvec2 slope{0, 90}; // degrees from level
     static constexpr std::size_t kMost = 1'000'000;
 };
 // On the ground, never nearer to each other (or to what stands there) than their footprints; the same options on

@@ -5,8 +5,7 @@
 namespace editor {
 namespace {
 
-template <class T>
-std::size_t heldBy(const std::vector<T>& values)
+template <class T> std::size_t heldBy(const std::vector<T>& values)
 {
     return values.capacity() * sizeof(T);
 }
@@ -40,13 +39,11 @@ std::span<const io::CameraPath> current(const io::Scene& scene, const std::vecto
     return scene.paths();
 }
 
-template <class T>
-bool same(std::span<const T> a, const std::vector<T>& b)
+template <class T> bool same(std::span<const T> a, const std::vector<T>& b)
 {
     return std::ranges::equal(a, b);
 }
-template <class T>
-bool same(const T& a, const T& b)
+template <class T> bool same(const T& a, const T& b)
 {
     return a == b;
 }
@@ -59,8 +56,7 @@ io::Changes changesOf(const io::Terrain&)
 {
     return {.terrain = true};
 }
-template <class T>
-io::Changes changesOf(const std::vector<T>&)
+template <class T> io::Changes changesOf(const std::vector<T>&)
 {
     return {.cameras = true};
 }
@@ -129,27 +125,23 @@ bool SwapTemplate::absorb(Command& later)
     return other && other->m_id == m_id;
 }
 
-template <class Part>
-io::Changes SwapPart<Part>::swap(io::World& world)
+template <class Part> io::Changes SwapPart<Part>::swap(io::World& world)
 {
     m_other = world.scene.exchange(std::move(m_other));
     return changesOf(m_other);
 }
 
-template <class Part>
-bool SwapPart<Part>::changesNothing(const io::World& world) const
+template <class Part> bool SwapPart<Part>::changesNothing(const io::World& world) const
 {
     return same(current(world.scene, m_other), m_other);
 }
 
-template <class Part>
-std::size_t SwapPart<Part>::bytes() const
+template <class Part> std::size_t SwapPart<Part>::bytes() const
 {
     return sizeof *this + heldBy(m_other);
 }
 
-template <class Part>
-bool SwapPart<Part>::absorb(Command& later)
+template <class Part> bool SwapPart<Part>::absorb(Command& later)
 {
     return dynamic_cast<SwapPart<Part>*>(&later) != nullptr;
 }

@@ -44,8 +44,7 @@ private:
 };
 
 // A part of which a scene has one: Environment, Terrain, std::vector<Camera> or std::vector<CameraPath>.
-template <class Part>
-class SwapPart final : public Command {
+template <class Part> class SwapPart final : public Command {
 public:
     SwapPart(std::string name, Part value) : Command{std::move(name)}, m_other{std::move(value)} {}
     io::Changes swap(io::World& world) override;

@@ -156,7 +156,8 @@ void removeObjects(Document& document, std::string name, std::span<const io::Obj
 std::string displayName(const io::Scene& scene, const io::Object& object)
 {
     if (!object.name.empty()) return object.name;
-    const std::string_view kind = object.templateId == io::TemplateId::None ? "group" : scene.templateName(object.templateId);
+    const std::string_view kind =
+        object.templateId == io::TemplateId::None ? "group" : scene.templateName(object.templateId);
     return std::string{kind} + " " + std::to_string(io::number(object.id));
 }
 

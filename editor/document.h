@@ -135,7 +135,7 @@ void setTerrain(Document& document, std::string name, io::Terrain terrain);
 void setCameras(Document& document, std::string name, std::vector<io::Camera> cameras);
 void setPaths(Document& document, std::string name, std::vector<io::CameraPath> paths);
 void setTemplate(Document& document, std::string name, io::TemplateId id, std::optional<io::Template> value);
-void addObjects(Document& document, std::string name, std::vector<io::Object> objects); // each with a fresh id
+void addObjects(Document& document, std::string name, std::vector<io::Object> objects);      // each with a fresh id
 void removeObjects(Document& document, std::string name, std::span<const io::ObjectId> ids); // with the groups' members
 
 // "Oak 17" or the name that a person gave.

@@ -31,7 +31,9 @@ io::Status copyFolder(const std::filesystem::path& from, const std::filesystem::
         else if (it->is_regular_file(fault))
             fs::copy_file(it->path(), target, fault);
     }
-    if (fault) return io::Error{to.string(), "could not copy the project here (" + fault.message() + "); choose another folder"};
+    if (fault)
+        return io::Error{to.string(),
+                         "could not copy the project here (" + fault.message() + "); choose another folder"};
     return {};
 }
 

@@ -6,11 +6,11 @@
 namespace editor {
 namespace {
 
-constexpr double kDegreesPerPixel = 0.15;      // look
+constexpr double kDegreesPerPixel = 0.15; // look
 constexpr double kOrbitDegreesPerPixel = 0.3;
-constexpr double kResponse = 0.07;             // s, in which the speed closes 63 % of the gap to the wanted one
-constexpr double kGlide = 0.25;                // s
-constexpr double kFarthest = 1e7;              // m, of the eye from the world's origin
+constexpr double kResponse = 0.07; // s, in which the speed closes 63 % of the gap to the wanted one
+constexpr double kGlide = 0.25;    // s
+constexpr double kFarthest = 1e7;  // m, of the eye from the world's origin
 constexpr double kNearestFocus = 0.2, kFarthestFocus = 1e6; // m
 
 glm::dvec3 rightOf(const io::Camera& camera)
@@ -32,7 +32,8 @@ void FlyCamera::setCamera(const io::Camera& camera)
 void FlyCamera::settle()
 {
     for (int axis = 0; axis < 3; ++axis)
-        m_camera.eye[axis] = std::isfinite(m_camera.eye[axis]) ? glm::clamp(m_camera.eye[axis], -kFarthest, kFarthest) : 0;
+        m_camera.eye[axis] =
+            std::isfinite(m_camera.eye[axis]) ? glm::clamp(m_camera.eye[axis], -kFarthest, kFarthest) : 0;
     m_camera.yaw = std::isfinite(m_camera.yaw) ? std::remainder(m_camera.yaw, 360.0f) : 0;
     m_camera.pitch = std::isfinite(m_camera.pitch) ? glm::clamp(m_camera.pitch, -89.0f, 89.0f) : 0;
     m_camera.fov = std::isfinite(m_camera.fov) ? glm::clamp(m_camera.fov, 1.0f, 170.0f) : 60;

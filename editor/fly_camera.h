@@ -20,8 +20,8 @@ public:
     void look(glm::dvec2 pixels); // right and down positive, as a mouse counts
     // Keys that are held: x right, y up, z forward, each -1..1. Called every frame, also with 0, while flying.
     void fly(const glm::dvec3& keys, bool fast, double seconds);
-    bool moving() const; // still gliding: draw another frame
-    void changeSpeed(double steps); // of the wheel, each a factor of 1.2
+    bool moving() const;                     // still gliding: draw another frame
+    void changeSpeed(double steps);          // of the wheel, each a factor of 1.2
     double speed() const { return m_speed; } // m/s
     void setSpeed(double metresPerSecond);
 
@@ -38,9 +38,9 @@ private:
     void settle(); // back into bounds, whatever was done
 
     io::Camera m_camera;
-    double m_speed = 10;        // m/s
+    double m_speed = 10;         // m/s
     double m_focusDistance = 10; // m
-    glm::dvec3 m_velocity{0};   // m/s
+    glm::dvec3 m_velocity{0};    // m/s
     bool m_gliding = false;
     double m_glideTime = 0; // s since it began
     glm::dvec3 m_glideFrom{0}, m_glideTo{0};

@@ -8,10 +8,10 @@
 namespace editor {
 namespace {
 
-constexpr double kFarthest = 1e7;           // m, of any coordinate
-constexpr double kLeastFactor = 0.01;       // of a scale drag
+constexpr double kFarthest = 1e7;     // m, of any coordinate
+constexpr double kLeastFactor = 0.01; // of a scale drag
 constexpr float kLeastScale = 1e-6f, kMostScale = 1e6f;
-constexpr double kEdgeOn = 0.05;            // sine of the angle between a ray and a plane below which it says nothing
+constexpr double kEdgeOn = 0.05; // sine of the angle between a ray and a plane below which it says nothing
 
 bool finite(const glm::dvec3& v)
 {
@@ -59,7 +59,8 @@ glm::dvec3 masked(GizmoHandle handle, glm::dvec3 delta)
 
 bool sound(const io::Transform& transform)
 {
-    return finite(transform.position) && finite(glm::dvec3{transform.rotation}) && finite(glm::dvec3{transform.scale}) &&
+    return finite(transform.position) && finite(glm::dvec3{transform.rotation}) &&
+           finite(glm::dvec3{transform.scale}) &&
            glm::all(glm::lessThanEqual(glm::abs(transform.position), glm::dvec3{kFarthest}));
 }
 
@@ -81,7 +82,8 @@ std::optional<GizmoFrame> Gizmo::frame(std::span<const io::Transform> transforms
             result.pivot += transform.position / double(transforms.size());
     }
     // A scale along the world's axes would shear what is turned, so scaling always follows the object.
-    if (space == GizmoSpace::Local || mode == GizmoMode::Scale) result.axes = io::orientation(transforms.back().rotation);
+    if (space == GizmoSpace::Local || mode == GizmoMode::Scale)
+        result.axes = io::orientation(transforms.back().rotation);
     return result;
 }
 
@@ -172,7 +174,8 @@ std::vector<io::Transform> Gizmo::scaled(const View& view, glm::dvec2 pixel, boo
     if (drag.handle == GizmoHandle::Centre) {
         const glm::dvec2 moved = pixel - drag.pixel; // right and up grow
         factors = glm::dvec3{1 + (moved.x - moved.y) / kLength};
-    } else if (const auto now = onPlane(view, pixel, drag.grabbed, dragNormal(view, drag.frame, drag.handle)); now && length > 0) {
+    } else if (const auto now = onPlane(view, pixel, drag.grabbed, dragNormal(view, drag.frame, drag.handle));
+               now && length > 0) {
         glm::dvec3 delta = masked(drag.handle, glm::inverse(drag.frame.axes) * (*now - drag.grabbed)) / length;
         if (planeNormalOf(drag.handle) >= 0) { // both axes of a plane alike
             const double both = (delta.x + delta.y + delta.z) / 2;

@@ -39,8 +39,8 @@ struct GizmoShape {
 
 // Where the gizmo stands and how it is turned.
 struct GizmoFrame {
-    glm::dvec3 pivot{0};          // m, world
-    glm::dquat axes{1, 0, 0, 0};  // its axes in the world
+    glm::dvec3 pivot{0};         // m, world
+    glm::dquat axes{1, 0, 0, 0}; // its axes in the world
 };
 
 class Gizmo {
@@ -76,12 +76,12 @@ public:
 private:
     struct Drag {
         GizmoHandle handle = GizmoHandle::None;
-        glm::dvec2 pixel{0};     // where it began
+        glm::dvec2 pixel{0}; // where it began
         glm::dvec2 lastPixel{0};
-        GizmoFrame frame;        // at its beginning
+        GizmoFrame frame; // at its beginning
         std::vector<io::Transform> start;
-        glm::dvec3 grabbed{0};   // the point of the handle's line or plane under the cursor
-        double angle = 0;        // degrees turned so far, past full turns too
+        glm::dvec3 grabbed{0}; // the point of the handle's line or plane under the cursor
+        double angle = 0;      // degrees turned so far, past full turns too
         glm::dvec3 amount{0};
     };
     std::vector<io::Transform> translated(const View& view, glm::dvec2 pixel, bool snapping);

@@ -11,12 +11,12 @@ namespace editor {
 namespace {
 
 constexpr double kLength = Gizmo::kLength;
-constexpr double kTip = 14, kTipHalf = 5; // pixels, an arrow's head
-constexpr double kBox = 5;                // pixels, half a side of a scale handle's box
-constexpr double kCentre = 8;             // pixels, radius of the middle
-constexpr double kViewRing = 1.2;         // of kLength
+constexpr double kTip = 14, kTipHalf = 5;           // pixels, an arrow's head
+constexpr double kBox = 5;                          // pixels, half a side of a scale handle's box
+constexpr double kCentre = 8;                       // pixels, radius of the middle
+constexpr double kViewRing = 1.2;                   // of kLength
 constexpr double kPlaneFrom = 0.3, kPlaneTo = 0.55; // of kLength
-constexpr double kClickable = 0.25;       // fade below which a handle is not hit
+constexpr double kClickable = 0.25;                 // fade below which a handle is not hit
 constexpr int kRingPoints = 64;
 constexpr std::array kAxisHandles{GizmoHandle::X, GizmoHandle::Y, GizmoHandle::Z};
 constexpr std::array kPlaneHandles{GizmoHandle::YZ, GizmoHandle::ZX, GizmoHandle::XY};
@@ -24,8 +24,8 @@ constexpr std::array kPlaneHandles{GizmoHandle::YZ, GizmoHandle::ZX, GizmoHandle
 struct Screen {
     const View& view;
     const GizmoFrame& frame;
-    double metres;      // of a pixel at the pivot
-    glm::dvec2 centre;  // pixel of the pivot
+    double metres;     // of a pixel at the pivot
+    glm::dvec2 centre; // pixel of the pivot
 
     glm::dvec3 axis(int i) const { return frame.axes * unitAxis(i); }
     std::optional<glm::dvec2> pixel(const glm::dvec3& world) const { return project(view, world); }
@@ -33,7 +33,8 @@ struct Screen {
 
 std::vector<glm::dvec2> square(glm::dvec2 at, double half)
 {
-    return {at + glm::dvec2{-half, -half}, at + glm::dvec2{half, -half}, at + glm::dvec2{half, half}, at + glm::dvec2{-half, half}};
+    return {at + glm::dvec2{-half, -half}, at + glm::dvec2{half, -half}, at + glm::dvec2{half, half},
+            at + glm::dvec2{-half, half}};
 }
 
 std::vector<glm::dvec2> circle(glm::dvec2 at, double radius, int points)
@@ -56,14 +57,18 @@ void addAxis(std::vector<GizmoShape>& shapes, const Screen& screen, int axis, bo
     if (fade <= 0) return;
     const glm::dvec2 unit = along / length;
     const glm::dvec2 side{-unit.y, unit.x};
-    shapes.push_back({.handle = kAxisHandles[axis], .points = {screen.centre + unit * std::min(kCentre + 2, length), *tip}, .axis = axis, .fade = fade});
     shapes.push_back({.handle = kAxisHandles[axis],
-                      .points = boxes ? square(*tip, kBox)
-                                      : std::vector<glm::dvec2>{*tip + unit * kTip, *tip + side * kTipHalf, *tip - side * kTipHalf},
-                      .closed = true,
-                      .filled = true,
+                      .points = {screen.centre + unit * std::min(kCentre + 2, length), *tip},
                       .axis = axis,
                       .fade = fade});
+    shapes.push_back(
+        {.handle = kAxisHandles[axis],
+         .points = boxes ? square(*tip, kBox)
+                         : std::vector<glm::dvec2>{*tip + unit * kTip, *tip + side * kTipHalf, *tip - side * kTipHalf},
+         .closed = true,
+         .filled = true,
+         .axis = axis,
+         .fade = fade});
 }
 
 void addPlane(std::vector<GizmoShape>& shapes, const Screen& screen, int normal)
@@ -74,7 +79,8 @@ void addPlane(std::vector<GizmoShape>& shapes, const Screen& screen, int normal)
     const glm::dvec3 u = screen.axis((normal + 1) % 3) * (kLength * screen.metres);
     const glm::dvec3 v = screen.axis((normal + 2) % 3) * (kLength * screen.metres);
     GizmoShape shape{.handle = kPlaneHandles[normal], .closed = true, .filled = true, .axis = normal, .fade = fade};
-    for (const glm::dvec2 at : {glm::dvec2{kPlaneFrom, kPlaneFrom}, {kPlaneTo, kPlaneFrom}, {kPlaneTo, kPlaneTo}, {kPlaneFrom, kPlaneTo}}) {
+    for (const glm::dvec2 at :
+         {glm::dvec2{kPlaneFrom, kPlaneFrom}, {kPlaneTo, kPlaneFrom}, {kPlaneTo, kPlaneTo}, {kPlaneFrom, kPlaneTo}}) {
         const auto pixel = screen.pixel(screen.frame.pivot + u * at.x + v * at.y);
         if (!pixel) return;
         shape.points.push_back(*pixel);
@@ -120,7 +126,8 @@ double distanceToShape(const GizmoShape& shape, glm::dvec2 pixel)
         if (last && !shape.closed) break;
         const glm::dvec2 a = shape.points[i], b = shape.points[last ? 0 : i + 1];
         nearest = std::min(nearest, distanceToSegment(pixel, a, b));
-        if ((a.y > pixel.y) != (b.y > pixel.y) && pixel.x < (b.x - a.x) * (pixel.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
+        if ((a.y > pixel.y) != (b.y > pixel.y) && pixel.x < (b.x - a.x) * (pixel.y - a.y) / (b.y - a.y) + a.x)
+            inside = !inside;
     }
     return shape.filled && inside ? 0 : nearest;
 }
@@ -156,7 +163,8 @@ std::vector<GizmoShape> gizmoShapes(GizmoMode mode, const View& view, const Gizm
     if (mode == GizmoMode::Rotate) {
         for (const int axis : order)
             addRing(shapes, screen, axis);
-        shapes.push_back({.handle = GizmoHandle::View, .points = circle(*centre, kViewRing * kLength, kRingPoints), .closed = true});
+        shapes.push_back(
+            {.handle = GizmoHandle::View, .points = circle(*centre, kViewRing * kLength, kRingPoints), .closed = true});
         return shapes;
     }
     for (int normal = 0; normal < 3; ++normal)
@@ -164,7 +172,10 @@ std::vector<GizmoShape> gizmoShapes(GizmoMode mode, const View& view, const Gizm
     for (const int axis : order)
         addAxis(shapes, screen, axis, mode == GizmoMode::Scale);
     const bool box = mode == GizmoMode::Scale;
-    shapes.push_back({.handle = GizmoHandle::Centre, .points = box ? square(*centre, kCentre * 0.8) : circle(*centre, kCentre, 16), .closed = true, .filled = true});
+    shapes.push_back({.handle = GizmoHandle::Centre,
+                      .points = box ? square(*centre, kCentre * 0.8) : circle(*centre, kCentre, 16),
+                      .closed = true,
+                      .filled = true});
     return shapes;
 }
 
@@ -172,7 +183,8 @@ GizmoHandle hitHandle(std::span<const GizmoShape> shapes, glm::dvec2 pixel, doub
 {
     GizmoHandle best = GizmoHandle::None;
     double bestDistance = reach;
-    // From the top of the picture down; what lies higher wins a draw. An area counts by being in it, a line by nearness.
+    // From the top of the picture down; what lies higher wins a draw. An area counts by being in it, a line by
+    // nearness.
     for (auto shape = shapes.rbegin(); shape != shapes.rend(); ++shape) {
         const double distance = distanceToShape(*shape, pixel);
         if (shape->fade < kClickable || distance >= bestDistance) continue;
@@ -207,7 +219,8 @@ double turnedBy(const View& view, const glm::dvec3& pivot, const glm::dvec3& axi
         const double t = glm::dot(pivot - ray.origin, axis) / fall;
         if (!(std::abs(fall) > 1e-3 && t > 0)) return std::nullopt;
         const glm::dvec3 arm = ray.origin + ray.direction * t - pivot;
-        const glm::dvec3 u = glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9 ? glm::dvec3{0, 1, 0} : glm::dvec3{1, 0, 0}));
+        const glm::dvec3 u =
+            glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9 ? glm::dvec3{0, 1, 0} : glm::dvec3{1, 0, 0}));
         return std::atan2(glm::dot(arm, glm::cross(axis, u)), glm::dot(arm, u));
     };
     const auto a = angleAt(from), b = angleAt(to);

@@ -52,7 +52,8 @@ void History::setBudget(std::size_t bytes)
     while (m_bytes > m_budget && m_position > 1)
         dropOldest();
     if (m_dropped > 0 && before == 0) // once is enough: from here on every step costs an old one
-        io::log::warning("Undo: the memory budget of {} MB is full; the oldest steps can no longer be undone", m_budget >> 20);
+        io::log::warning("Undo: the memory budget of {} MB is full; the oldest steps can no longer be undone",
+                         m_budget >> 20);
 }
 
 void History::dropOldest()

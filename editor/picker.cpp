@@ -60,7 +60,8 @@ PickHit Picker::pick(const io::Ray& ray, const PickOptions& options) const
     if (options.objects) {
         std::vector<io::ObjectId> skip(options.skip.begin(), options.skip.end());
         std::ranges::sort(skip);
-        if (const PickHit object = m_state->objects.hit(ray, reach, skip); object && object.distance <= reach) best = object;
+        if (const PickHit object = m_state->objects.hit(ray, reach, skip); object && object.distance <= reach)
+            best = object;
     }
     return best;
 }
@@ -102,7 +103,8 @@ std::vector<io::ObjectId> Picker::pickBox(const View& view, const PixelRect& rec
         const glm::dvec2 low = glm::min(rect.from, rect.to), high = glm::max(rect.from, rect.to);
         m_state->objects.forEachBounds([&](io::ObjectId id, const io::WorldBox& box) {
             const auto pixel = project(view, box.centre());
-            if (pixel && pixel->x >= low.x && pixel->y >= low.y && pixel->x <= high.x && pixel->y <= high.y) ids.push_back(id);
+            if (pixel && pixel->x >= low.x && pixel->y >= low.y && pixel->x <= high.x && pixel->y <= high.y)
+                ids.push_back(id);
         });
     }
     std::ranges::sort(ids);

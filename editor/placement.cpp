@@ -70,7 +70,8 @@ io::Transform placedOn(const Document& document, io::TemplateId id, const PickHi
 {
     const io::Template* what = document.scene().find(id);
     const io::Model* model = document.assets().model(id);
-    return placedOn(what ? *what : io::Template{}, model ? model->bounds : io::Box{}, hit.position, hit.normal, options);
+    return placedOn(what ? *what : io::Template{}, model ? model->bounds : io::Box{}, hit.position, hit.normal,
+                    options);
 }
 
 io::ObjectId place(Document& document, io::TemplateId id, const io::Transform& transform)
@@ -111,8 +112,7 @@ PickHit groundBelow(const Picker& picker, const glm::dvec3& foot, const io::Worl
                     std::span<const io::ObjectId> skip)
 {
     constexpr double kSky = 1e5; // m, above any ground
-    const PickHit ground =
-        picker.pick({.origin = {foot.x, kSky, foot.z}, .direction = -kUp}, {.objects = false});
+    const PickHit ground = picker.pick({.origin = {foot.x, kSky, foot.z}, .direction = -kUp}, {.objects = false});
     if (ground && ground.position.y > bounds.max.y) return ground;
     return picker.pick({.origin = {foot.x, bounds.max.y + 1e-3, foot.z}, .direction = -kUp}, {.skip = skip});
 }
@@ -156,7 +156,8 @@ std::vector<io::ObjectId> dropToGround(Document& document, const Picker& picker,
             slots.emplace_back(member, std::move(moved));
         }
     }
-    document.run(std::make_unique<SwapObjects>(turn == DropTurn::Align ? "Align to ground" : "Drop to ground", std::move(slots)));
+    document.run(std::make_unique<SwapObjects>(turn == DropTurn::Align ? "Align to ground" : "Drop to ground",
+                                               std::move(slots)));
     return dropped;
 }
 
@@ -171,10 +172,11 @@ void alignAlong(Document& document, std::span<const io::ObjectId> ids, int axis,
         const io::Object* object = document.scene().find(id);
         const io::WorldBox own = boundsOf(document, {&id, 1});
         if (!object || own.empty()) continue;
-        const double delta = to == AlignTo::Min      ? all.min[axis] - own.min[axis]
-                             : to == AlignTo::Max    ? all.max[axis] - own.max[axis]
-                             : to == AlignTo::Centre ? all.centre()[axis] - own.centre()[axis]
-                                                     : primary->transform.position[axis] - object->transform.position[axis];
+        const double delta = to == AlignTo::Min   ? all.min[axis] - own.min[axis]
+                             : to == AlignTo::Max ? all.max[axis] - own.max[axis]
+                             : to == AlignTo::Centre
+                                 ? all.centre()[axis] - own.centre()[axis]
+                                 : primary->transform.position[axis] - object->transform.position[axis];
         for (const io::ObjectId member : document.hierarchy().withMembers({&id, 1})) {
             io::Object moved = document.scene().at(member);
             moved.transform.position[axis] += delta;

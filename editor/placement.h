@@ -21,7 +21,8 @@ io::Transform placedOn(const io::Template& what, const io::Box& modelBounds, con
                        const glm::dvec3& normal, const PlaceOptions& options = {});
 
 // The same with the template's own model.
-io::Transform placedOn(const Document& document, io::TemplateId id, const PickHit& hit, const PlaceOptions& options = {});
+io::Transform placedOn(const Document& document, io::TemplateId id, const PickHit& hit,
+                       const PlaceOptions& options = {});
 
 // Places one copy as one step; None when there is no such template.
 io::ObjectId place(Document& document, io::TemplateId id, const io::Transform& transform);

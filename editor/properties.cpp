@@ -22,8 +22,7 @@ Key cut(std::string_view key)
     return {key.substr(0, dot), dot == std::string_view::npos ? std::string_view{} : key.substr(dot + 1)};
 }
 
-template <class Thing>
-Thing* longestNamed(std::span<Thing> things, std::string_view rest, std::string_view& path)
+template <class Thing> Thing* longestNamed(std::span<Thing> things, std::string_view rest, std::string_view& path)
 {
     Thing* best = nullptr;
     for (Thing& thing : things) {
@@ -36,8 +35,7 @@ Thing* longestNamed(std::span<Thing> things, std::string_view rest, std::string_
     return best;
 }
 
-template <class T>
-io::Result<io::Value> valueAt(const T& thing, std::string_view path)
+template <class T> io::Result<io::Value> valueAt(const T& thing, std::string_view path)
 {
     if (path.empty()) return io::toValue(thing);
     return io::getField(thing, path);
@@ -79,7 +77,8 @@ io::Status setInObject(const Document& document, io::Object& object, std::string
     }
     if (const io::Status set = io::setField(object, path, value); !set) return set;
     for (int axis = 0; axis < 3; ++axis)
-        if (std::abs(object.transform.scale[axis]) < 1e-6f) return io::Error{{}, "a scale of 0 would leave nothing to see"};
+        if (std::abs(object.transform.scale[axis]) < 1e-6f)
+            return io::Error{{}, "a scale of 0 would leave nothing to see"};
     if (object.parent != io::ObjectId::None) {
         const io::Object* group = document.scene().find(object.parent);
         if (!group || group->templateId != io::TemplateId::None) return io::Error{{}, "the parent is no group"};
@@ -122,7 +121,8 @@ io::Status setInPath(Document& document, std::string_view key, std::string_view 
     io::CameraPath* found = longestNamed(std::span{paths}, rest, path);
     if (!found) return unknown("camera path", rest);
     if (const io::Status set = io::setField(*found, path, value); !set) return set;
-    if (!std::ranges::is_sorted(found->keys, {}, &io::PathKey::time)) return io::Error{{}, "the times of a path must rise"};
+    if (!std::ranges::is_sorted(found->keys, {}, &io::PathKey::time))
+        return io::Error{{}, "the times of a path must rise"};
     setPaths(document, "Set " + std::string{key}, std::move(paths));
     return {};
 }

@@ -56,10 +56,11 @@ std::shared_ptr<Mesh> makeMesh(RTCDevice device, std::shared_ptr<const io::Model
         const Geometry geometry{rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE)};
         // Embree reads 16 bytes at each position; a Vertex is longer, so the last one is safe too.
         static_assert(sizeof(io::Vertex) >= 16 && offsetof(io::Vertex, position) == 0);
-        rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, source.vertices.data(), 0,
-                                   sizeof(io::Vertex), source.vertices.size());
+        rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, source.vertices.data(),
+                                   0, sizeof(io::Vertex), source.vertices.size());
         rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, source.indices.data(),
-                                   part.firstIndex * sizeof(std::uint32_t), 3 * sizeof(std::uint32_t), part.indexCount / 3);
+                                   part.firstIndex * sizeof(std::uint32_t), 3 * sizeof(std::uint32_t),
+                                   part.indexCount / 3);
         rtcSetGeometryUserData(geometry.get(), &mesh->parts.back());
         rtcCommitGeometry(geometry.get());
         rtcAttachGeometryByID(mesh->tree.get(), geometry.get(), unsigned(mesh->parts.size() - 1));
@@ -141,7 +142,7 @@ struct RayScene::State {
     std::vector<Instance> instances;
     std::vector<std::uint32_t> freePlaces;
     std::unordered_map<std::uint32_t, std::uint32_t> placeOf; // object id -> place
-    glm::dvec3 anchor{0}; // m; Embree's floats are relative to it
+    glm::dvec3 anchor{0};                                     // m; Embree's floats are relative to it
     bool boxesOnly = false;
     bool stale = false;
 
@@ -286,7 +287,8 @@ void RayScene::update(const io::Scene& scene, const io::Assets& assets, const io
     for (const io::TemplateId id : changes.templates) {
         const std::size_t slot = io::number(id) - 1;
         const auto now = slot < assets.models.size() ? assets.models[slot] : nullptr;
-        const auto before = slot < s.templates.size() && s.templates[slot].mesh ? s.templates[slot].mesh->model : nullptr;
+        const auto before =
+            slot < s.templates.size() && s.templates[slot].mesh ? s.templates[slot].mesh->model : nullptr;
         if (now != before) newModels.push_back(id);
     }
     if (!newModels.empty()) {
@@ -337,9 +339,18 @@ PickHit RayScene::hit(const io::Ray& ray, double maxDistance, std::span<const io
     const glm::vec3 direction{ray.direction};
     if (!std::isfinite(glm::dot(origin, origin)) || !std::isfinite(glm::dot(direction, direction))) return {};
     RTCRayHit found{};
-    found.ray = {.org_x = origin.x, .org_y = origin.y, .org_z = origin.z, .tnear = 0,
-                 .dir_x = direction.x, .dir_y = direction.y, .dir_z = direction.z, .time = 0,
-                 .tfar = float(maxDistance), .mask = ~0u, .id = 0, .flags = 0};
+    found.ray = {.org_x = origin.x,
+                 .org_y = origin.y,
+                 .org_z = origin.z,
+                 .tnear = 0,
+                 .dir_x = direction.x,
+                 .dir_y = direction.y,
+                 .dir_z = direction.z,
+                 .time = 0,
+                 .tfar = float(maxDistance),
+                 .mask = ~0u,
+                 .id = 0,
+                 .flags = 0};
     found.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(s.tree.get(), &query, &found);
@@ -349,11 +360,14 @@ PickHit RayScene::hit(const io::Ray& ray, double maxDistance, std::span<const io
     const Mesh& mesh = *s.shownMesh(s.templates[io::number(instance.templateId) - 1]);
     const PartOfMesh& part = mesh.parts[found.hit.geomID];
     const std::size_t first = part.firstIndex + std::size_t(3) * found.hit.primID;
-    PickHit hit{.surface = Surface::Object, .id = instance.id, .templateId = instance.templateId, .distance = found.ray.tfar};
+    PickHit hit{
+        .surface = Surface::Object, .id = instance.id, .templateId = instance.templateId, .distance = found.ray.tfar};
 
     // Embree found the triangle in floats; where the ray meets its plane is worked out again in doubles.
     const glm::dmat4 worldFromModel = io::worldFromModel(instance.transform);
-    const auto world = [&](std::size_t i) { return glm::dvec3{worldFromModel * glm::dvec4{corner(*part.model, i), 1}}; };
+    const auto world = [&](std::size_t i) {
+        return glm::dvec3{worldFromModel * glm::dvec4{corner(*part.model, i), 1}};
+    };
     const glm::dvec3 a = world(first);
     const glm::dvec3 normal = glm::cross(world(first + 1) - a, world(first + 2) - a);
     const double fall = glm::dot(normal, ray.direction);

@@ -62,14 +62,16 @@ Crowd crowdAround(const Document& document, const ScatterOptions& options)
     Crowd crowd{widest};
     for (const io::Object& object : document.scene().objects()) {
         const glm::dvec2 at = flat(object.transform.position);
-        if (object.templateId != io::TemplateId::None && glm::distance(at, options.centre) <= options.radius + 2 * widest)
+        if (object.templateId != io::TemplateId::None &&
+            glm::distance(at, options.centre) <= options.radius + 2 * widest)
             crowd.add(at, footprintOf(document, object.templateId));
     }
     return crowd;
 }
 
 // A random place that fits, or nothing.
-std::optional<io::Object> oneMore(const Document& document, const ScatterOptions& options, const Crowd& crowd, Random& random)
+std::optional<io::Object> oneMore(const Document& document, const ScatterOptions& options, const Crowd& crowd,
+                                  Random& random)
 {
     const double distance = options.radius * std::sqrt(random.unit());
     const double angle = random.in(0, glm::two_pi<double>());

@@ -52,7 +52,8 @@ io::Value Script::execute(const io::Value& command)
     follow();
     if (!answer) return refusal(words + ": " + answer.error().text());
     io::Value::Object result{{"ok", true}};
-    if (const io::Value::Object* members = answer.value().asObject()) result.insert(result.end(), members->begin(), members->end());
+    if (const io::Value::Object* members = answer.value().asObject())
+        result.insert(result.end(), members->begin(), members->end());
     return result;
 }
 

@@ -24,7 +24,7 @@ struct RenderRequest {
 struct ScriptHooks {
     std::function<void(const io::Changes&)> changed; // after every command that changed the world
     std::function<io::Status(const RenderRequest&)> render;
-    std::function<io::Result<io::Value>(std::string_view key)> getSetting;            // "render.shadows"
+    std::function<io::Result<io::Value>(std::string_view key)> getSetting; // "render.shadows"
     std::function<io::Status(std::string_view key, const io::Value& value)> setSetting;
     std::function<io::Value()> stats; // members are added to those of the document
 };

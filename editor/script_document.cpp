@@ -56,7 +56,8 @@ std::vector<io::ObjectId> chosen(Script& script, Arguments& arguments)
         std::ranges::sort(ids);
         return ids;
     }
-    if (arguments.has("all")) return arguments.flag("all", true) ? allObjects(scene, hierarchy) : std::vector<io::ObjectId>{};
+    if (arguments.has("all"))
+        return arguments.flag("all", true) ? allObjects(scene, hierarchy) : std::vector<io::ObjectId>{};
     const PickHit hit = script.picker().pick(script.view(), *arguments.pair("pixel"));
     return hit.surface == Surface::Object ? grouped({hit.id}) : std::vector<io::ObjectId>{};
 }
@@ -83,7 +84,8 @@ Answer set(Script& script, Arguments& arguments)
     if (!value) arguments.fail("needs \"value\"");
     if (isSetting(key) && !script.hooks().setSetting) arguments.fail("settings of drawing are not available here");
     if (const auto fault = arguments.finish()) return *fault;
-    const io::Status done = isSetting(key) ? script.hooks().setSetting(key, *value) : setProperty(script.document(), key, *value);
+    const io::Status done =
+        isSetting(key) ? script.hooks().setSetting(key, *value) : setProperty(script.document(), key, *value);
     if (!done) return done.error();
     return io::Value::Object{{"key", key}};
 }
@@ -158,20 +160,24 @@ Answer view(Script& script, Arguments& arguments)
     camera.pitch = float(arguments.number("pitch", camera.pitch, -90, 90));
     camera.fov = float(arguments.number("fov", camera.fov, 1, 170));
     if (const auto size = arguments.pair("size")) {
-        if (!(size->x >= 1 && size->y >= 1 && size->x <= 16384 && size->y <= 16384)) arguments.fail("\"size\" is 1 to 16384 pixels a side");
+        if (!(size->x >= 1 && size->y >= 1 && size->x <= 16384 && size->y <= 16384))
+            arguments.fail("\"size\" is 1 to 16384 pixels a side");
         changed.size = glm::ivec2{*size};
     }
     if (const auto fault = arguments.finish()) return *fault;
     script.view() = changed;
-    return io::Value::Object{{"eye", toValue(camera.eye)}, {"yaw", io::decimal(camera.yaw)},
-                             {"pitch", io::decimal(camera.pitch)}, {"fov", io::decimal(camera.fov)}};
+    return io::Value::Object{{"eye", toValue(camera.eye)},
+                             {"yaw", io::decimal(camera.yaw)},
+                             {"pitch", io::decimal(camera.pitch)},
+                             {"fov", io::decimal(camera.fov)}};
 }
 
 Answer render(Script& script, Arguments& arguments)
 {
     RenderRequest request{.out = arguments.text("out"), .view = script.view(), .show = arguments.text("show", "final")};
     if (const auto size = arguments.pair("size")) {
-        if (!(size->x >= 1 && size->y >= 1 && size->x <= 16384 && size->y <= 16384)) arguments.fail("\"size\" is 1 to 16384 pixels a side");
+        if (!(size->x >= 1 && size->y >= 1 && size->x <= 16384 && size->y <= 16384))
+            arguments.fail("\"size\" is 1 to 16384 pixels a side");
         request.view.size = glm::ivec2{*size};
     }
     if (!script.hooks().render) arguments.fail("pictures are not available here");

@@ -31,19 +31,23 @@ std::optional<PickHit> target(Script& script, Arguments& arguments)
     const auto& heights = script.document().assets().heights;
     const glm::dvec2 flat = ground ? *ground : glm::dvec2{point->x, point->z};
     const auto height = heights ? heights->height(flat.x, flat.y) : std::nullopt;
-    const glm::dvec3 normal = heights ? heights->normal(flat.x, flat.y).value_or(glm::dvec3{0, 1, 0}) : glm::dvec3{0, 1, 0};
+    const glm::dvec3 normal =
+        heights ? heights->normal(flat.x, flat.y).value_or(glm::dvec3{0, 1, 0}) : glm::dvec3{0, 1, 0};
     if (ground && !height) {
         arguments.fail("there is no ground there");
         return std::nullopt;
     }
-    return PickHit{.surface = Surface::Terrain, .position = point ? *point : glm::dvec3{flat.x, *height, flat.y}, .normal = normal};
+    return PickHit{.surface = Surface::Terrain,
+                   .position = point ? *point : glm::dvec3{flat.x, *height, flat.y},
+                   .normal = normal};
 }
 
 Answer place(Script& script, Arguments& arguments)
 {
     const io::TemplateId what = arguments.templateNamed("template");
     const std::optional<PickHit> at = target(script, arguments);
-    PlaceOptions options{.seed = std::uint64_t(arguments.number("seed", double(script.document().revision()), 0, 1e15))};
+    PlaceOptions options{.seed =
+                             std::uint64_t(arguments.number("seed", double(script.document().revision()), 0, 1e15))};
     if (arguments.has("yaw")) options.yaw = float(arguments.number("yaw", 0, -1e6, 1e6));
     if (arguments.has("scale")) options.scale = float(arguments.number("scale", 1, 1e-6, 1e6));
     if (const auto fault = arguments.finish()) return *fault;
@@ -94,7 +98,8 @@ Answer remove(Script& script, Arguments& arguments)
     const auto ids = arguments.ids();
     if (const auto fault = arguments.finish()) return *fault;
     const auto all = script.document().hierarchy().withMembers(ids);
-    removeObjects(script.document(), "Delete " + std::to_string(all.size()) + (all.size() == 1 ? " object" : " objects"), ids);
+    removeObjects(script.document(),
+                  "Delete " + std::to_string(all.size()) + (all.size() == 1 ? " object" : " objects"), ids);
     return idsAnswer(all);
 }
 
@@ -142,8 +147,8 @@ Answer align(Script& script, Arguments& arguments)
 }
 
 constexpr ScriptCommand kCommands[] = {
-    {"place", place},     {"scatter", scatter}, {"duplicate", duplicate}, {"delete", remove},
-    {"group", group},     {"ungroup", ungroup}, {"drop", drop},           {"align", align},
+    {"place", place}, {"scatter", scatter}, {"duplicate", duplicate}, {"delete", remove},
+    {"group", group}, {"ungroup", ungroup}, {"drop", drop},           {"align", align},
 };
 
 } // namespace

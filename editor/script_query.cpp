@@ -9,8 +9,9 @@ namespace editor {
 
 io::Value describe(const PickHit& hit, const io::Scene& scene)
 {
-    io::Value::Object members{
-        {"surface", hit.surface == Surface::Object ? "object" : hit.surface == Surface::Terrain ? "terrain" : "none"}};
+    io::Value::Object members{{"surface", hit.surface == Surface::Object    ? "object"
+                                          : hit.surface == Surface::Terrain ? "terrain"
+                                                                            : "none"}};
     if (hit.surface == Surface::Object) {
         members.emplace_back("id", io::number(hit.id));
         members.emplace_back("template", scene.templateName(hit.templateId));
@@ -107,7 +108,8 @@ Answer stats(Script& script, Arguments& arguments)
         instances += object.templateId != io::TemplateId::None;
         if (const io::Model* model = document.assets().model(object.templateId)) triangles += model->triangles();
     }
-    const auto templates = std::ranges::count_if(document.scene().templates(), [](const auto& slot) { return slot.value.has_value(); });
+    const auto templates =
+        std::ranges::count_if(document.scene().templates(), [](const auto& slot) { return slot.value.has_value(); });
     io::Value::Object members{{"objects", std::uint64_t(document.scene().objects().size())},
                               {"instances", instances},
                               {"triangles", triangles},
@@ -118,7 +120,8 @@ Answer stats(Script& script, Arguments& arguments)
                               {"undo_bytes", std::uint64_t(document.history().bytes())}};
     if (script.hooks().stats) {
         const io::Value more = script.hooks().stats();
-        if (const io::Value::Object* extra = more.asObject()) members.insert(members.end(), extra->begin(), extra->end());
+        if (const io::Value::Object* extra = more.asObject())
+            members.insert(members.end(), extra->begin(), extra->end());
     }
     return members;
 }
@@ -130,9 +133,8 @@ Answer history(Script& script, Arguments& arguments)
     io::Value::Array steps;
     for (std::string& name : history.names())
         steps.emplace_back(std::move(name));
-    return io::Value::Object{{"steps", std::move(steps)},
-                             {"position", std::uint64_t(history.position())},
-                             {"dropped", history.dropped()}};
+    return io::Value::Object{
+        {"steps", std::move(steps)}, {"position", std::uint64_t(history.position())}, {"dropped", history.dropped()}};
 }
 
 constexpr ScriptCommand kCommands[] = {

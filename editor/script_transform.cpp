@@ -61,7 +61,8 @@ Answer transformAll(Script& script, const Task& task, const std::string& name, a
 
 std::string named(const char* verb, const Task& task)
 {
-    return std::string{verb} + " " + std::to_string(task.outermost.size()) + (task.outermost.size() == 1 ? " object" : " objects");
+    return std::string{verb} + " " + std::to_string(task.outermost.size()) +
+           (task.outermost.size() == 1 ? " object" : " objects");
 }
 
 Answer move(Script& script, Arguments& arguments)
@@ -83,13 +84,16 @@ Answer rotate(Script& script, Arguments& arguments)
     if (const auto fault = arguments.finish()) return *fault;
     const glm::dvec3 middle = middleOf(script.document().scene(), task.outermost);
     const glm::dquat given = io::orientation(glm::vec3{task.by ? *task.by : *task.to});
-    return transformAll(script, task, named("Rotate", task), [&](io::Transform& t, const io::Transform& top, bool isTop) {
-        const glm::dquat own = io::orientation(top.rotation);
-        const glm::dquat turn = task.to ? given * glm::inverse(own) : task.local ? own * given * glm::inverse(own) : given;
-        const glm::dvec3 pivot = task.by && !task.local && task.outermost.size() > 1 ? middle : top.position;
-        if (!(isTop && pivot == top.position)) t.position = pivot + turn * (t.position - pivot);
-        t.rotation = isTop && task.to ? glm::vec3{*task.to} : io::eulerDegrees(turn * io::orientation(t.rotation));
-    });
+    return transformAll(
+        script, task, named("Rotate", task), [&](io::Transform& t, const io::Transform& top, bool isTop) {
+            const glm::dquat own = io::orientation(top.rotation);
+            const glm::dquat turn = task.to      ? given * glm::inverse(own)
+                                    : task.local ? own * given * glm::inverse(own)
+                                                 : given;
+            const glm::dvec3 pivot = task.by && !task.local && task.outermost.size() > 1 ? middle : top.position;
+            if (!(isTop && pivot == top.position)) t.position = pivot + turn * (t.position - pivot);
+            t.rotation = isTop && task.to ? glm::vec3{*task.to} : io::eulerDegrees(turn * io::orientation(t.rotation));
+        });
 }
 
 Answer scale(Script& script, Arguments& arguments)
@@ -97,12 +101,13 @@ Answer scale(Script& script, Arguments& arguments)
     const Task task = taskOf(script, arguments, true);
     if (const auto fault = arguments.finish()) return *fault;
     const glm::dvec3 middle = middleOf(script.document().scene(), task.outermost);
-    return transformAll(script, task, named("Scale", task), [&](io::Transform& t, const io::Transform& top, bool isTop) {
-        const glm::dvec3 factor = task.by ? *task.by : *task.to / glm::dvec3{top.scale};
-        const glm::dvec3 pivot = task.by && !task.local ? middle : top.position;
-        t.position = pivot + (t.position - pivot) * factor;
-        t.scale = isTop && task.to ? glm::vec3{*task.to} : glm::vec3{glm::dvec3{t.scale} * factor};
-    });
+    return transformAll(script, task, named("Scale", task),
+                        [&](io::Transform& t, const io::Transform& top, bool isTop) {
+                            const glm::dvec3 factor = task.by ? *task.by : *task.to / glm::dvec3{top.scale};
+                            const glm::dvec3 pivot = task.by && !task.local ? middle : top.position;
+                            t.position = pivot + (t.position - pivot) * factor;
+                            t.scale = isTop && task.to ? glm::vec3{*task.to} : glm::vec3{glm::dvec3{t.scale} * factor};
+                        });
 }
 
 Answer rename(Script& script, Arguments& arguments)
@@ -116,11 +121,11 @@ Answer rename(Script& script, Arguments& arguments)
 
 Answer assign(Script& script, Arguments& arguments)
 {
-    const std::vector<io::ObjectId> ids =
-        arguments.has("id") ? std::vector{arguments.object("id")} : arguments.ids();
+    const std::vector<io::ObjectId> ids = arguments.has("id") ? std::vector{arguments.object("id")} : arguments.ids();
     const io::TemplateId what = arguments.templateNamed("template");
     for (const io::ObjectId id : ids)
-        if (const io::Object* object = script.document().scene().find(id); object && object->templateId == io::TemplateId::None)
+        if (const io::Object* object = script.document().scene().find(id);
+            object && object->templateId == io::TemplateId::None)
             arguments.fail(fmt::format("object {} is a group", io::number(id)));
     if (const auto fault = arguments.finish()) return *fault;
     edit(script.document(), "Assign " + std::string{script.document().scene().templateName(what)}, ids,

@@ -7,16 +7,16 @@
 namespace editor {
 namespace {
 
-constexpr int kLeaf = 4;          // cells along the side of a leaf
-constexpr double kSlack = 1e-9;   // of a cell: edges belong to both triangles, so that no ray slips between them
+constexpr int kLeaf = 4;        // cells along the side of a leaf
+constexpr double kSlack = 1e-9; // of a cell: edges belong to both triangles, so that no ray slips between them
 
 } // namespace
 
 // A ray in texels (x, z) and metres (y), so that a cell is a unit square. The parameter stays metres along the ray.
 struct TerrainRay::Query {
     glm::dvec3 origin, direction, inverse;
-    double nearest;           // m, of the best hit so far
-    glm::dvec3 slope{0};      // of that hit's triangle: dy/dx, -, dy/dz per texel
+    double nearest;      // m, of the best hit so far
+    glm::dvec3 slope{0}; // of that hit's triangle: dy/dx, -, dy/dz per texel
     bool found = false;
 
     // Where the ray is inside a box, as [enter, leave]; enter > leave when it misses.
@@ -62,39 +62,48 @@ TerrainRay::TerrainRay(std::shared_ptr<const io::HeightMap> heights) : m_heights
         m_heights.reset();
         return;
     }
+    m_levels.push_back(finest());
+    while (m_levels.back().size != glm::ivec2{1})
+        m_levels.push_back(halved(m_levels.back()));
+}
+
+TerrainRay::Level TerrainRay::finest() const
+{
     const glm::ivec2 cells = m_heights->size - 1;
-    Level finest{.size = (cells + kLeaf - 1) / kLeaf};
-    finest.range.resize(std::size_t(finest.size.x) * finest.size.y);
-    for (int z = 0; z < finest.size.y; ++z) {
-        for (int x = 0; x < finest.size.x; ++x) {
+    Level level{.size = (cells + kLeaf - 1) / kLeaf};
+    level.range.reserve(std::size_t(level.size.x) * level.size.y);
+    for (int z = 0; z < level.size.y; ++z) {
+        for (int x = 0; x < level.size.x; ++x) {
             const glm::ivec2 last = glm::min(glm::ivec2{x + 1, z + 1} * kLeaf, cells);
             glm::vec2 range{m_heights->at(x * kLeaf, z * kLeaf)};
             for (int row = z * kLeaf; row <= last.y; ++row) {
-                const float* heightsOfRow = &m_heights->metres[std::size_t(row) * m_heights->size.x];
-                const auto [low, high] = std::minmax_element(heightsOfRow + x * kLeaf, heightsOfRow + last.x + 1);
+                const float* metres = &m_heights->metres[std::size_t(row) * m_heights->size.x];
+                const auto [low, high] = std::minmax_element(metres + x * kLeaf, metres + last.x + 1);
                 range = {std::min(range.x, *low), std::max(range.y, *high)};
             }
-            finest.range[std::size_t(z) * finest.size.x + x] = range;
+            level.range.push_back(range);
         }
     }
-    m_levels.push_back(std::move(finest));
-    while (m_levels.back().size != glm::ivec2{1}) {
-        const Level& below = m_levels.back();
-        Level level{.size = (below.size + 1) / 2};
-        level.range.resize(std::size_t(level.size.x) * level.size.y);
-        for (int z = 0; z < level.size.y; ++z) {
-            for (int x = 0; x < level.size.x; ++x) {
-                glm::vec2 range = below.range[std::size_t(z) * 2 * below.size.x + x * 2];
-                for (int row = z * 2; row < std::min(z * 2 + 2, below.size.y); ++row)
-                    for (int column = x * 2; column < std::min(x * 2 + 2, below.size.x); ++column) {
-                        const glm::vec2 part = below.range[std::size_t(row) * below.size.x + column];
-                        range = {std::min(range.x, part.x), std::max(range.y, part.y)};
-                    }
-                level.range[std::size_t(z) * level.size.x + x] = range;
-            }
+    return level;
+}
+
+TerrainRay::Level TerrainRay::halved(const Level& below)
+{
+    Level level{.size = (below.size + 1) / 2};
+    level.range.reserve(std::size_t(level.size.x) * level.size.y);
+    for (int z = 0; z < level.size.y; ++z) {
+        for (int x = 0; x < level.size.x; ++x) {
+            const glm::ivec2 last = glm::min(glm::ivec2{x, z} * 2 + 1, below.size - 1);
+            glm::vec2 range = below.range[std::size_t(z) * 2 * below.size.x + x * 2];
+            for (int row = z * 2; row <= last.y; ++row)
+                for (int column = x * 2; column <= last.x; ++column) {
+                    const glm::vec2 part = below.range[std::size_t(row) * below.size.x + column];
+                    range = {std::min(range.x, part.x), std::max(range.y, part.y)};
+                }
+            level.range.push_back(range);
         }
-        m_levels.push_back(std::move(level));
     }
+    return level;
 }
 
 std::optional<io::TerrainHit> TerrainRay::hit(const io::Ray& ray, double maxDistance) const
@@ -106,7 +115,8 @@ std::optional<io::TerrainHit> TerrainRay::hit(const io::Ray& ray, double maxDist
                 .direction = {ray.direction.x / texel, ray.direction.y, ray.direction.z / texel},
                 .nearest = maxDistance};
     query.inverse = 1.0 / query.direction;
-    if (!std::isfinite(glm::dot(query.origin, query.origin)) || !std::isfinite(glm::dot(query.direction, query.direction)))
+    if (!std::isfinite(glm::dot(query.origin, query.origin)) ||
+        !std::isfinite(glm::dot(query.direction, query.direction)))
         return std::nullopt;
     descend(query, int(m_levels.size()) - 1, {0, 0});
     if (!query.found) return std::nullopt;
@@ -119,7 +129,8 @@ void TerrainRay::descend(Query& query, int level, glm::ivec2 node) const
 {
     const glm::vec2 range = m_levels[level].range[std::size_t(node.y) * m_levels[level].size.x + node.x];
     const double side = double(kLeaf << level);
-    const double slack = 1e-6 * std::max({1.0, std::abs(query.origin.x), std::abs(query.origin.z), std::abs(query.origin.y)});
+    const double slack =
+        1e-6 * std::max({1.0, std::abs(query.origin.x), std::abs(query.origin.z), std::abs(query.origin.y)});
     const glm::dvec2 through = query.slab({node.x * side - slack, range.x - slack, node.y * side - slack},
                                           {(node.x + 1) * side + slack, range.y + slack, (node.y + 1) * side + slack});
     if (through.x > through.y) return;

@@ -23,6 +23,8 @@ private:
         glm::ivec2 size{0};
         std::vector<glm::vec2> range; // lowest and highest, m
     };
+    Level finest() const;
+    static Level halved(const Level& below);
     struct Query;
     void descend(Query& query, int level, glm::ivec2 node) const;
     void leaf(Query& query, glm::ivec2 node) const;

@@ -41,7 +41,8 @@ TEST(Arrange, CopiedTextComesBackAsTheSameThings)
     ASSERT_EQ(pasted->size(), 2u);
     const auto before = document->hierarchy().withMembers(ids), after = document->hierarchy().withMembers(*pasted);
     ASSERT_EQ(before.size(), after.size());
-    const glm::dvec3 delta = document->scene().at(after[0]).transform.position - document->scene().at(before[0]).transform.position;
+    const glm::dvec3 delta =
+        document->scene().at(after[0]).transform.position - document->scene().at(before[0]).transform.position;
     for (std::size_t i = 0; i < before.size(); ++i) {
         const io::Object &a = document->scene().at(before[i]), &b = document->scene().at(after[i]);
         EXPECT_EQ(a.name, b.name);
@@ -64,10 +65,11 @@ TEST(Arrange, TextThatIsNoCopyIsRefusedAndChangesNothing)
     const std::string good = copyAsText(*document, std::vector{io::ObjectId{1}});
     std::string unknownTemplate = good;
     unknownTemplate.replace(unknownTemplate.find("\"template\":\"") + 12, 2, "Zz");
-    for (const std::string& text : {std::string{}, std::string{"hello"}, std::string{"{\"wold_objects\":1}\n"},
-                                    std::string{"{\"wold_objects\":99}\n{}\n"}, std::string{"{\"wold_objects\":1}\n{]\n"},
-                                    std::string{"{\"wold_objects\":1}\n[1,2]\n"}, unknownTemplate,
-                                    good.substr(0, good.size() - 5), good + "{\"template\":\"blob\",\"scale\":[1,2]}\n"}) {
+    for (const std::string& text :
+         {std::string{}, std::string{"hello"}, std::string{"{\"wold_objects\":1}\n"},
+          std::string{"{\"wold_objects\":99}\n{}\n"}, std::string{"{\"wold_objects\":1}\n{]\n"},
+          std::string{"{\"wold_objects\":1}\n[1,2]\n"}, unknownTemplate, good.substr(0, good.size() - 5),
+          good + "{\"template\":\"blob\",\"scale\":[1,2]}\n"}) {
         const auto pasted = paste(*document, text, {});
         EXPECT_FALSE(pasted) << text;
     }
@@ -113,7 +115,11 @@ TEST(Arrange, ScatteredCopiesKeepTheirDistanceAndRepeatBySeed)
         setTemplate(*document, "Footprint", io::TemplateId{2}, what);
         return document;
     };
-    const ScatterOptions options{.templates = {io::TemplateId{1}, io::TemplateId{2}}, .radius = 60, .density = 0.05, .seed = 11, .slope = {0, 35}};
+    const ScatterOptions options{.templates = {io::TemplateId{1}, io::TemplateId{2}},
+                                 .radius = 60,
+                                 .density = 0.05,
+                                 .seed = 11,
+                                 .slope = {0, 35}};
     const auto document = make();
     const auto ids = scatter(*document, options);
     const double wanted = options.density * std::numbers::pi * options.radius * options.radius;
@@ -124,7 +130,8 @@ TEST(Arrange, ScatteredCopiesKeepTheirDistanceAndRepeatBySeed)
     for (const io::ObjectId id : ids) {
         const io::Object& one = document->scene().at(id);
         EXPECT_LE(glm::length(flat(one)), 60.0);
-        EXPECT_NEAR(boundsOf(*document, std::vector{id}).min.y, *document->assets().heights->height(flat(one).x, flat(one).y), 0.01);
+        EXPECT_NEAR(boundsOf(*document, std::vector{id}).min.y,
+                    *document->assets().heights->height(flat(one).x, flat(one).y), 0.01);
         EXPECT_GT(document->assets().heights->normal(flat(one).x, flat(one).y)->y, std::cos(glm::radians(35.1)));
         for (const io::Object& other : document->scene().objects())
             if (other.id != id && glm::distance(flat(one), flat(other)) + 1e-9 < footprint(one) + footprint(other))

@@ -24,12 +24,21 @@ void editSomething(Document& document, Random& random)
     const io::ObjectId other = anyObject(document, random);
     const io::ObjectId two[] = {id, other};
     switch (random.bits() % 10) {
-    case 0: return moveBy(document, "Move", {&id, 1}, {random.in(-5, 5), 0, 1});
-    case 1: return removeObjects(document, "Delete", {&id, 1});
-    case 2: duplicate(document, two, {1, 2, 3}); return;
-    case 3: return edit(document, "Rename", {&id, 1}, [&](io::Object& o) { o.name = std::to_string(random.bits()); });
-    case 4: group(document, two, "pair"); return;
-    case 5: ungroup(document, two); return;
+    case 0:
+        return moveBy(document, "Move", {&id, 1}, {random.in(-5, 5), 0, 1});
+    case 1:
+        return removeObjects(document, "Delete", {&id, 1});
+    case 2:
+        duplicate(document, two, {1, 2, 3});
+        return;
+    case 3:
+        return edit(document, "Rename", {&id, 1}, [&](io::Object& o) { o.name = std::to_string(random.bits()); });
+    case 4:
+        group(document, two, "pair");
+        return;
+    case 5:
+        ungroup(document, two);
+        return;
     case 6: {
         io::Environment environment = document.scene().environment();
         environment.time = float(random.in(0, 24));

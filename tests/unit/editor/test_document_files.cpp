@@ -25,19 +25,22 @@ protected:
         fs::create_directories(project / "models");
         write(project / "models/blob.glb", io::encodeGlb(test::blob(2, 6)));
         write(project / "models/tip.glb", io::encodeGlb(test::pyramid(3)));
-        io::Image heights{.size = {33, 33}, .channels = 1, .type = io::PixelType::U16, .bytes = std::vector<std::byte>(33 * 33 * 2)};
+        io::Image heights{
+            .size = {33, 33}, .channels = 1, .type = io::PixelType::U16, .bytes = std::vector<std::byte>(33 * 33 * 2)};
         heights.row<std::uint16_t>(16)[16] = 65535;
         fs::create_directories(project / "terrain");
         write(project / "terrain/h.png", io::encodePng(heights));
 
         io::World world;
-        world.project = {.folder = project, .name = "Test", .scenes = {{"main", "scenes/main.scene.json"}}, .start = "main"};
+        world.project = {
+            .folder = project, .name = "Test", .scenes = {{"main", "scenes/main.scene.json"}}, .start = "main"};
         world.entry = world.project.scenes[0];
         world.environmentFile = "environments/main.json";
         const io::TemplateId blob = world.scene.templateSlot("blob");
         world.scene.exchange(blob, io::Template{.name = "blob", .model = "models/blob.glb"});
         world.scene.exchange(world.scene.freshId(), io::Object{.templateId = blob});
-        world.scene.exchange(world.scene.freshId(), io::Object{.templateId = blob, .transform = {.position = {3, 1, 2}}});
+        world.scene.exchange(world.scene.freshId(),
+                             io::Object{.templateId = blob, .transform = {.position = {3, 1, 2}}});
         world.scene.exchange(io::Terrain{.heightMap = "terrain/h.png", .origin = {-16, -16}, .maxHeight = 10});
         const auto saved = io::saveWorld(world);
         ASSERT_TRUE(saved) << saved.error().text();

@@ -72,7 +72,8 @@ TEST(FlyCamera, FramesABoxSoThatAllOfItIsSeen)
     EXPECT_LT(glm::distance(camera.focus(), box.centre()), 1e-6);
     const View view{.camera = camera.camera()};
     for (int corner = 0; corner < 8; ++corner) {
-        const auto pixel = project(view, {corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z});
+        const auto pixel = project(view, {corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                                          corner & 4 ? box.max.z : box.min.z});
         ASSERT_TRUE(pixel.has_value());
         EXPECT_TRUE(pixel->x > 0 && pixel->x < view.size.x && pixel->y > 0 && pixel->y < view.size.y);
     }
@@ -107,13 +108,26 @@ TEST(FlyCamera, StaysFinite)
     for (int i = 0; i < 5000; ++i) {
         const glm::dvec2 pixels{random.in(-1e5, 1e5), random.in(-1e5, 1e5)};
         switch (random.bits() % 7) {
-        case 0: camera.look(pixels); break;
-        case 1: camera.orbit(pixels); break;
-        case 2: camera.pan(pixels * 1e6, int(random.bits() % 2)); break;
-        case 3: camera.dolly(random.in(-1e4, 1e4)); break;
-        case 4: camera.fly({random.in(-1, 1), random.in(-1, 1), 1}, true, random.in(-1, 1e4)); break;
-        case 5: camera.changeSpeed(random.in(-1e3, 1e3)); break;
-        default: camera.setCamera({.eye = {NAN, 1, INFINITY}, .yaw = INFINITY, .pitch = NAN, .fov = -5});
+        case 0:
+            camera.look(pixels);
+            break;
+        case 1:
+            camera.orbit(pixels);
+            break;
+        case 2:
+            camera.pan(pixels * 1e6, int(random.bits() % 2));
+            break;
+        case 3:
+            camera.dolly(random.in(-1e4, 1e4));
+            break;
+        case 4:
+            camera.fly({random.in(-1, 1), random.in(-1, 1), 1}, true, random.in(-1, 1e4));
+            break;
+        case 5:
+            camera.changeSpeed(random.in(-1e3, 1e3));
+            break;
+        default:
+            camera.setCamera({.eye = {NAN, 1, INFINITY}, .yaw = INFINITY, .pitch = NAN, .fov = -5});
         }
         for (int axis = 0; axis < 3; ++axis)
             ASSERT_TRUE(std::abs(camera.camera().eye[axis]) <= 1e7);

@@ -197,7 +197,8 @@ TEST(Gizmo, NothingIsDraggedOutOfTheWorld)
     const View view{.camera = {.eye = {9'999'995, 0, 20}}, .size = {1280, 720}};
     const double length = handleLength(view, one[0].position);
     ASSERT_TRUE(gizmo.begin(view, GizmoHandle::X, pixelOf(view, one[0].position + glm::dvec3{length, 0, 0}), one));
-    EXPECT_NEAR(gizmo.update(view, pixelOf(view, one[0].position + glm::dvec3{length + 3, 0, 0}), false)[0].position.x, 9'999'998, 0.01);
+    EXPECT_NEAR(gizmo.update(view, pixelOf(view, one[0].position + glm::dvec3{length + 3, 0, 0}), false)[0].position.x,
+                9'999'998, 0.01);
     EXPECT_EQ(gizmo.update(view, pixelOf(view, one[0].position + glm::dvec3{length + 9, 0, 0}), false)[0], one[0]);
 }
 
@@ -225,7 +226,8 @@ TEST(Gizmo, StaysSoundWhateverTheViewAndTheMouseDo)
         for (const GizmoShape& shape : gizmo.shapes(view, *gizmo.frame(start)))
             for (const glm::dvec2 point : shape.points)
                 ASSERT_TRUE(std::isfinite(point.x) && std::isfinite(point.y));
-        if (!gizmo.begin(view, GizmoHandle(1 + random.bits() % 8), {random.in(0, 1280), random.in(0, 720)}, start)) continue;
+        if (!gizmo.begin(view, GizmoHandle(1 + random.bits() % 8), {random.in(0, 1280), random.in(0, 720)}, start))
+            continue;
         for (int i = 0; i < 20; ++i) {
             const auto result = gizmo.update(view, {random.in(-500, 1800), random.in(-500, 1200)}, random.bits() % 2);
             ASSERT_EQ(result.size(), start.size());

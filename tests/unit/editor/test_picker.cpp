@@ -64,7 +64,8 @@ void compareWithBruteForce(const Document& document, const Picker& picker, int r
         const io::Ray ray = randomRay(random);
         Expected expected;
         for (const io::Object& object : document.scene().objects())
-            if (const io::Model* model = document.assets().model(object.templateId)) bruteForce(object, *model, ray, expected);
+            if (const io::Model* model = document.assets().model(object.templateId))
+                bruteForce(object, *model, ray, expected);
         if (expected.doubtful) {
             ++doubtful;
             continue;
@@ -101,11 +102,21 @@ TEST(Picker, FollowsMovesDeletesUndoAndNewTemplates)
             const auto objects = document->scene().objects();
             const std::vector one{objects[std::size_t(random.unit() * double(objects.size()))].id};
             switch (random.bits() % 5) {
-            case 0: removeObjects(*document, "Delete", one); break;
-            case 1: duplicate(*document, one, {random.in(-50, 50), 0, 10}); break;
-            case 2: edit(*document, "Assign", one, [&](io::Object& o) { o.templateId = io::TemplateId(1 + random.bits() % 4); }); break;
-            case 3: edit(*document, "Mirror", one, [&](io::Object& o) { o.transform.scale.x *= -1; }); break;
-            default: moveBy(*document, "Move", one, {random.in(-30, 30), 1, 0});
+            case 0:
+                removeObjects(*document, "Delete", one);
+                break;
+            case 1:
+                duplicate(*document, one, {random.in(-50, 50), 0, 10});
+                break;
+            case 2:
+                edit(*document, "Assign", one,
+                     [&](io::Object& o) { o.templateId = io::TemplateId(1 + random.bits() % 4); });
+                break;
+            case 3:
+                edit(*document, "Mirror", one, [&](io::Object& o) { o.transform.scale.x *= -1; });
+                break;
+            default:
+                moveBy(*document, "Move", one, {random.in(-30, 30), 1, 0});
             }
         }
         if (round % 2)
@@ -136,7 +147,8 @@ TEST(Picker, ALeafIsHitWhereItIsSeenOnly)
 TEST(Picker, BackFacesOfSingleSidedThingsAreLookedThrough)
 {
     const auto document = test::forest(0, 1, false);
-    addObjects(*document, "Add", {{.id = document->freshId(), .templateId = io::TemplateId{1}, .transform = {.rotation = {0, 30, 0}}}});
+    addObjects(*document, "Add",
+               {{.id = document->freshId(), .templateId = io::TemplateId{1}, .transform = {.rotation = {0, 30, 0}}}});
     Picker picker;
     test::followed(picker, *document);
     EXPECT_TRUE(picker.pick({.origin = {0, 20, 0.1}, .direction = {0, -1, 0}}));
@@ -156,8 +168,10 @@ TEST(Picker, TheNearerOfGroundAndObjectWins)
     int ground = 0, object = 0;
     for (int i = 0; i < 500; ++i) {
         const io::Ray ray = randomRay(random);
-        const PickHit both = picker.pick(ray), onlyGround = picker.pick(ray, {.objects = false}), onlyObjects = picker.pick(ray, {.terrain = false});
-        const double nearest = std::min(onlyGround ? onlyGround.distance : 1e30, onlyObjects ? onlyObjects.distance : 1e30);
+        const PickHit both = picker.pick(ray), onlyGround = picker.pick(ray, {.objects = false}),
+                      onlyObjects = picker.pick(ray, {.terrain = false});
+        const double nearest =
+            std::min(onlyGround ? onlyGround.distance : 1e30, onlyObjects ? onlyObjects.distance : 1e30);
         EXPECT_EQ(bool(both), nearest < 1e29);
         EXPECT_DOUBLE_EQ(both ? both.distance : 1e30, nearest);
         ground += both.surface == Surface::Terrain;
@@ -172,7 +186,9 @@ TEST(Picker, AllAlongTheRayNearToFarAndEachOnce)
     const auto document = test::forest(0, 1);
     std::vector<io::Object> row;
     for (int i = 0; i < 5; ++i)
-        row.push_back({.id = document->freshId(), .templateId = io::TemplateId{2}, .transform = {.position = {0, 50, -20.0 * i}}});
+        row.push_back({.id = document->freshId(),
+                       .templateId = io::TemplateId{2},
+                       .transform = {.position = {0, 50, -20.0 * i}}});
     addObjects(*document, "Add", row);
     Picker picker;
     test::followed(picker, *document);
@@ -232,7 +248,8 @@ TEST(Picker, FarFromTheOriginItIsStillExact)
 {
     const auto document = test::forest(0, 1, false);
     const glm::dvec3 at{80'000.123, 250.5, -60'000.456};
-    addObjects(*document, "Add", {{.id = document->freshId(), .templateId = io::TemplateId{4}, .transform = {.position = at}}});
+    addObjects(*document, "Add",
+               {{.id = document->freshId(), .templateId = io::TemplateId{4}, .transform = {.position = at}}});
     Picker picker;
     document->takeChanges();
     picker.update(document->scene(), document->assets(), {.everything = true});

@@ -89,10 +89,13 @@ TEST(Placement, DroppedThingsStandOnTheGroundOrOnWhatIsBelow)
     const auto document = test::forest(0, 1);
     const auto add = [&](glm::dvec3 at, float yaw) {
         const io::ObjectId id = document->freshId();
-        addObjects(*document, "Add", {{.id = id, .templateId = io::TemplateId{4}, .transform = {.position = at, .rotation = {0, yaw, 0}}}});
+        addObjects(
+            *document, "Add",
+            {{.id = id, .templateId = io::TemplateId{4}, .transform = {.position = at, .rotation = {0, yaw, 0}}}});
         return id;
     };
-    const std::vector ids{add({10, 70, 10}, 30), add({-40, -60, 20}, 0), add({10, 90, 10.2}, 45), add({5000, 80, 0}, 0)};
+    const std::vector ids{add({10, 70, 10}, 30), add({-40, -60, 20}, 0), add({10, 90, 10.2}, 45),
+                          add({5000, 80, 0}, 0)};
     Picker picker;
     test::followed(picker, *document);
     const auto dropped = dropToGround(*document, picker, std::vector{ids[0], ids[1], ids[3]});
@@ -106,7 +109,8 @@ TEST(Placement, DroppedThingsStandOnTheGroundOrOnWhatIsBelow)
 
     test::followed(picker, *document);
     dropToGround(*document, picker, std::vector{ids[2]}); // onto the first one
-    EXPECT_NEAR(document->scene().at(ids[2]).transform.position.y, document->scene().at(ids[0]).transform.position.y + 2, 0.01);
+    EXPECT_NEAR(document->scene().at(ids[2]).transform.position.y,
+                document->scene().at(ids[0]).transform.position.y + 2, 0.01);
     document->undo();
     document->undo();
     EXPECT_EQ(document->scene().at(ids[1]).transform.position, (glm::dvec3{-40, -60, 20}));
@@ -116,7 +120,9 @@ TEST(Placement, DroppedAndAlignedItStandsUprightOnTheSlope)
 {
     const auto document = test::forest(0, 1);
     const io::ObjectId id = document->freshId();
-    addObjects(*document, "Add", {{.id = id, .templateId = io::TemplateId{4}, .transform = {.position = {31, 50, 17}, .rotation = {0, 70, 0}}}});
+    addObjects(
+        *document, "Add",
+        {{.id = id, .templateId = io::TemplateId{4}, .transform = {.position = {31, 50, 17}, .rotation = {0, 70, 0}}}});
     Picker picker;
     test::followed(picker, *document);
     dropToGround(*document, picker, std::vector{id}, DropTurn::Align);
@@ -132,14 +138,18 @@ TEST(Placement, AGroupDropsAsOnePiece)
     std::vector<io::ObjectId> ids;
     for (int i = 0; i < 3; ++i) {
         ids.push_back(document->freshId());
-        addObjects(*document, "Add", {{.id = ids.back(), .templateId = io::TemplateId{4}, .transform = {.position = {i * 3.0, 60.0 + i, 0}}}});
+        addObjects(
+            *document, "Add",
+            {{.id = ids.back(), .templateId = io::TemplateId{4}, .transform = {.position = {i * 3.0, 60.0 + i, 0}}}});
     }
     const io::ObjectId holder = group(*document, ids);
     Picker picker;
     test::followed(picker, *document);
     dropToGround(*document, picker, std::vector{holder});
     for (int i = 1; i < 3; ++i)
-        EXPECT_NEAR(document->scene().at(ids[std::size_t(i)]).transform.position.y - document->scene().at(ids[0]).transform.position.y, i, 1e-9);
+        EXPECT_NEAR(document->scene().at(ids[std::size_t(i)]).transform.position.y -
+                        document->scene().at(ids[0]).transform.position.y,
+                    i, 1e-9);
     EXPECT_NEAR(boundsOf(*document, ids).min.y, *document->assets().heights->height(3, 0), 0.01);
 }
 
@@ -153,5 +163,6 @@ TEST(Placement, LinesUpAlongAnAxis)
         EXPECT_NEAR(boundsOf(*document, std::vector{id}).min.x, before.min.x, 1e-6);
     alignAlong(*document, ids, 2, AlignTo::Primary);
     for (const io::ObjectId id : ids)
-        EXPECT_DOUBLE_EQ(document->scene().at(id).transform.position.z, document->scene().at(ids.back()).transform.position.z);
+        EXPECT_DOUBLE_EQ(document->scene().at(id).transform.position.z,
+                         document->scene().at(ids.back()).transform.position.z);
 }

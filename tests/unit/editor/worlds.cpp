@@ -38,13 +38,16 @@ io::Model blob(float radius, int rings)
         for (int side = 0; side <= sides; ++side) {
             const float polar = glm::pi<float>() * float(ring) / float(rings);
             const float around = glm::two_pi<float>() * float(side) / float(sides);
-            const glm::vec3 unit{std::sin(polar) * std::cos(around), std::cos(polar), std::sin(polar) * std::sin(around)};
-            model.vertices.push_back({.position = unit * radius * (1 + 0.2f * std::sin(5 * around)) + glm::vec3{0, radius, 0}});
+            const glm::vec3 unit{std::sin(polar) * std::cos(around), std::cos(polar),
+                                 std::sin(polar) * std::sin(around)};
+            model.vertices.push_back(
+                {.position = unit * radius * (1 + 0.2f * std::sin(5 * around)) + glm::vec3{0, radius, 0}});
         }
     }
     for (int ring = 0; ring < rings; ++ring)
         for (int side = 0; side < sides; ++side) {
-            const auto a = std::uint32_t(ring * (sides + 1) + side), b = a + 1, c = a + std::uint32_t(sides) + 1, d = c + 1;
+            const auto a = std::uint32_t(ring * (sides + 1) + side), b = a + 1, c = a + std::uint32_t(sides) + 1,
+                       d = c + 1;
             for (const std::uint32_t i : {a, b, c, b, d, c})
                 model.indices.push_back(i);
         }
@@ -59,7 +62,8 @@ io::Model leafCard(float size)
         const glm::vec3 side = card == 0 ? glm::vec3{1, 0, 0} : glm::vec3{0, 0, 1};
         const auto first = std::uint32_t(model.vertices.size());
         for (const glm::vec2 corner : {glm::vec2{0, 0}, {1, 0}, {1, 1}, {0, 1}})
-            model.vertices.push_back({.position = side * (corner.x - 0.5f) * size + glm::vec3{0, corner.y * size, 0}, .uv0 = corner});
+            model.vertices.push_back(
+                {.position = side * (corner.x - 0.5f) * size + glm::vec3{0, corner.y * size, 0}, .uv0 = corner});
         for (const std::uint32_t i : {0u, 1u, 2u, 0u, 2u, 3u})
             model.indices.push_back(first + i);
     }
