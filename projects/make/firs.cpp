@@ -74,7 +74,7 @@ Mesh growFir(const FirShape& shape)
         ring.light = ring.centre.y > shape.height * shape.crownBase ? 0.42f : 0.75f;
     Mesh mesh;
     const int bark = mesh.surface({.texture = "bark_fir", .roughness = 0.92f});
-    addTube(mesh, trunk.rings, {.sides = shape.trunkSides, .surface = bark, .around = 2, .metres = 1.2f, .seed = std::uint32_t(shape.seed), .wobble = 0.06f});
+    addTube(mesh, trunk.rings, {.sides = shape.trunkSides, .surface = bark, .around = 3, .metres = 0.9f, .seed = std::uint32_t(shape.seed), .wobble = 0.06f});
     smoothNormals(mesh, 80);
 
     int boughs = shape.branches;

@@ -95,7 +95,7 @@ void growMoss(Canvas& canvas, std::uint32_t seed)
 {
     canvas.each([&](Texel& texel, glm::vec2 p) {
         const float fine = fbm(p * 96.0f, seed, {.count = 3, .gain = 0.6f, .period = {96, 96}});
-        const float moss = smooth(0.08f, 0.42f, patches(p, seed + 1, 5) + 0.3f * fine);
+        const float moss = smooth(-0.10f, 0.26f, patches(p, seed + 1, 5) + 0.3f * fine);
         const glm::vec3 green = glm::mix(rgb(0x323c1a), rgb(0x66722e), std::clamp(0.5f + 0.7f * fine, 0.0f, 1.0f));
         texel.colour = glm::mix(texel.colour, green, moss * 0.85f);
         texel.height += moss * (2 + 2.5f * fine);
@@ -189,7 +189,7 @@ Canvas paintGround(std::string_view name)
         Canvas canvas = paintSoil(seed, rgb(0x231a10), rgb(0x44341f));
         scatterLeaves(canvas, 4200, seed + 1);
         growMoss(canvas, seed + 2);
-        growBlades(canvas, {.count = 5200, .shortest = 10, .longest = 26, .dark = rgb(0x2c3616), .light = rgb(0x67743a),
+        growBlades(canvas, {.count = 12500, .shortest = 10, .longest = 26, .dark = rgb(0x2c3616), .light = rgb(0x67743a),
                             .straw = rgb(0x8a7a48)}, seed + 3);
         scatterLeaves(canvas, 420, seed + 4);
         scatterTwigs(canvas, 130, seed + 5);

@@ -24,7 +24,7 @@ void addBoards(Mesh& mesh, glm::vec3 from, glm::vec3 to, int count, int surface,
     for (int i = 0; i < count; ++i) {
         const glm::vec3 at = from + step * (float(i) + 0.5f) + out * random.range(0.0f, 0.025f);
         const float height = top(at);
-        addBeam(mesh, {.from = at - glm::vec3{0, 0.4f, 0}, .to = at + glm::vec3{0, height, 0}, .width = glm::length(step) * 1.02f, .height = 0.06f,
+        addBeam(mesh, {.from = at - glm::vec3{0, 1.0f, 0}, .to = at + glm::vec3{0, height, 0}, .width = glm::length(step) * 1.02f, .height = 0.06f,
                        .up = out, .board = random.below(64), .surface = surface, .light = random.range(0.78f, 1.0f)});
     }
 }
@@ -66,7 +66,7 @@ void addFrame(Mesh& mesh, int surface)
 {
     for (const float x : {-1.0f, 1.0f})
         for (const float z : {-1.0f, 1.0f})
-            addBeam(mesh, {.from = {x * kWide, -0.4f, z * kDeep}, .to = {x * kWide, kWall + 0.05f, z * kDeep}, .width = 0.2f, .height = 0.2f,
+            addBeam(mesh, {.from = {x * kWide, -1.0f, z * kDeep}, .to = {x * kWide, kWall + 0.05f, z * kDeep}, .width = 0.2f, .height = 0.2f,
                            .up = {0, 0, 1}, .board = 7, .surface = surface, .light = 0.7f});
     for (const float z : {-1.0f, 1.0f})
         addBeam(mesh, {.from = {-kWide - 0.3f, kWall, z * kDeep}, .to = {kWide + 0.3f, kWall, z * kDeep}, .width = 0.16f, .height = 0.16f,

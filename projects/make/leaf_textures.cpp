@@ -50,9 +50,10 @@ bool inside(glm::vec2 p, std::uint32_t seed)
     const glm::vec2 d = (p - centre) / glm::vec2{kSide / 2.0f - margin, kSide * 0.48f - margin};
     const float radius = glm::length(d);
     const glm::vec2 towards = d / std::max(radius, 1e-3f);
-    const float bays = 0.5f + 0.5f * noise(towards * 2.6f + 9.0f, seed) + 0.25f * noise(towards * 6.0f, seed + 1);
+    const float bays = 0.5f + 0.6f * noise(towards * 2.4f + 9.0f, seed) + 0.5f * noise(towards * 5.0f, seed + 1);
     const bool stalk = p.y > centre.y && std::abs(p.x - centre.x) < 40 && p.y < kSide;
-    return radius < 0.60f + 0.40f * std::clamp(bays, 0.0f, 1.0f) || stalk;
+    const bool gap = noise(p / 105.0f, seed + 2) > 0.50f; // the sky shows through
+    return (radius < 0.52f + 0.48f * std::clamp(bays, 0.0f, 1.0f) && !gap) || stalk;
 }
 
 // One stem from the middle of the bottom edge, and side twigs to both sides that fill a round outline.
@@ -150,7 +151,7 @@ Canvas paintFir(std::uint32_t seed)
     const glm::vec2 root{kSide / 2.0f, float(kSide)};
     const glm::vec2 top{kSide / 2.0f, 24};
     for (int pass = 0; pass < 2; ++pass) {
-        for (float t = 0.04f; t < 0.97f; t += 0.047f)
+        for (float t = 0.04f; t < 0.97f; t += 0.066f)
             for (const float side : {-1.0f, 1.0f}) {
                 const float width = 0.47f * std::pow(1 - t, 0.62f) * std::min(1.0f, 0.55f + t * 2.2f);
                 const float length = kSide * width * random.range(0.84f, 1.0f);
@@ -160,7 +161,7 @@ Canvas paintFir(std::uint32_t seed)
                 const Twig twig{from, to, 5};
                 paint(canvas, Stroke{.from = from, .to = to, .widthFrom = 7, .widthTo = 3,
                                      .colourFrom = rgb(0x3a2c1c), .colourTo = rgb(0x35401f)});
-                needles(canvas, twig, 30, pass == 0 ? 0.1f : 0.8f, random);
+                needles(canvas, twig, 25, pass == 0 ? 0.1f : 0.8f, random);
             }
         paint(canvas, Stroke{.from = root, .to = top, .widthFrom = 14, .widthTo = 5, .colourFrom = rgb(0x3b2d1e),
                              .colourTo = rgb(0x3a3a20)});
@@ -180,9 +181,9 @@ Canvas paintTuft(std::uint32_t seed, bool dry)
         float heading = (at.x / kSide - 0.5f) * 1.2f + random.bell() * 0.35f;
         const float bend = (heading > 0 ? 1.0f : -1.0f) * random.range(0.02f, 0.13f);
         const float length = kSide * random.range(0.45f, 0.98f);
-        const glm::vec3 green = glm::mix(rgb(0x3c4c1e), rgb(0x7d8a3c), depth);
-        const glm::vec3 straw = glm::mix(rgb(0x6b5a30), rgb(0xc0aa6a), depth);
-        const glm::vec3 colour = glm::mix(green, straw, dry ? random.range(0.5f, 1.0f) : random.range(0.0f, 0.45f));
+        const glm::vec3 green = glm::mix(rgb(0x36441b), rgb(0x6d7a36), depth);
+        const glm::vec3 straw = glm::mix(rgb(0x5c5030), rgb(0x9c8c58), depth);
+        const glm::vec3 colour = glm::mix(green, straw, dry ? random.range(0.5f, 1.0f) : random.range(0.0f, 0.22f));
         const int steps = 9;
         for (int s = 0; s < steps; ++s) {
             const float t = float(s) / steps;
@@ -254,19 +255,19 @@ Canvas paintFlowers(std::uint32_t seed)
 Spray sprayOf(std::string_view name)
 {
     const Palette oak{rgb(0x2c3a18), rgb(0x55662a), rgb(0x83904a), rgb(0x9a8a48)};
-    const Palette birch{rgb(0x38481c), rgb(0x6c7f34), rgb(0x9dab58), rgb(0xb8a850)};
-    const Palette beech{rgb(0x28401a), rgb(0x4d6a2a), rgb(0x7c964a), rgb(0xa0984a)};
-    const Palette russet{rgb(0x4a2c14), rgb(0x94582a), rgb(0xc08a44), rgb(0x7a7a38), 0.12f};
+    const Palette birch{rgb(0x3c481e), rgb(0x70803a), rgb(0x9ca45a), rgb(0xb8a850)};
+    const Palette beech{rgb(0x2c3c18), rgb(0x56682c), rgb(0x84904c), rgb(0xa0984a)};
+    const Palette russet{rgb(0x46301a), rgb(0x85592f), rgb(0xb08a4c), rgb(0x747638), 0.22f};
     const Palette gold{rgb(0x6a5418), rgb(0xb89430), rgb(0xdcc060), rgb(0x8c9440), 0.10f};
-    const Palette copper{rgb(0x50280f), rgb(0xa85c22), rgb(0xd49548), rgb(0xc0aa50), 0.15f};
+    const Palette copper{rgb(0x4c2c14), rgb(0x96602e), rgb(0xc4984e), rgb(0x94904a), 0.28f};
     const Palette shrub{rgb(0x26341a), rgb(0x4a5c2c), rgb(0x76864a), rgb(0x8a5a40)};
-    if (name == "leaf_oak") return {.leaf = Leaf::Oak, .palette = oak, .leafLength = 120, .spacing = 66};
-    if (name == "leaf_birch") return {.leaf = Leaf::Birch, .palette = birch, .leafLength = 84, .spacing = 54, .droop = 0.35f};
-    if (name == "leaf_beech") return {.leaf = Leaf::Beech, .palette = beech, .leafLength = 100, .spacing = 60};
-    if (name == "leaf_oak_autumn") return {.leaf = Leaf::Oak, .palette = russet, .leafLength = 120, .spacing = 70};
+    if (name == "leaf_oak") return {.leaf = Leaf::Oak, .palette = oak, .leafLength = 122, .spacing = 58};
+    if (name == "leaf_birch") return {.leaf = Leaf::Birch, .palette = birch, .leafLength = 86, .spacing = 48, .droop = 0.35f};
+    if (name == "leaf_beech") return {.leaf = Leaf::Beech, .palette = beech, .leafLength = 102, .spacing = 53};
+    if (name == "leaf_oak_autumn") return {.leaf = Leaf::Oak, .palette = russet, .leafLength = 122, .spacing = 62};
     if (name == "leaf_birch_autumn")
-        return {.leaf = Leaf::Birch, .palette = gold, .leafLength = 84, .spacing = 58, .droop = 0.35f};
-    if (name == "leaf_beech_autumn") return {.leaf = Leaf::Beech, .palette = copper, .leafLength = 100, .spacing = 62};
+        return {.leaf = Leaf::Birch, .palette = gold, .leafLength = 86, .spacing = 50, .droop = 0.35f};
+    if (name == "leaf_beech_autumn") return {.leaf = Leaf::Beech, .palette = copper, .leafLength = 102, .spacing = 56};
     EXPECTS(name == "leaf_bush");
     return {.leaf = Leaf::Beech, .palette = shrub, .leafLength = 78, .spacing = 50};
 }

@@ -38,7 +38,7 @@ TreeShape oak()
 {
     return {.bark = "bark_oak", .leaf = "leaf_oak", .seed = 11, .height = 14.5f, .trunkRadius = 0.40f, .crownBase = 0.26f, .crownRadius = 5.4f,
             .widest = 0.42f, .trunkSides = 8, .trunkRings = 7, .branches = 11, .branchSides = 4, .branchRings = 4, .twigs = 2, .angleLow = 74,
-            .angleHigh = 28, .upturn = 0.5f, .gnarl = 0.26f, .cards = 180, .cardSize = 2.5f, .clumpSize = 0.42f};
+            .angleHigh = 28, .upturn = 0.5f, .gnarl = 0.26f, .cards = 190, .cardSize = 2.7f, .clumpSize = 0.42f};
 }
 TreeShape oakYoung()
 {
@@ -51,14 +51,14 @@ TreeShape oakOld()
 {
     TreeShape s = oak();
     s.bark = "bark_oak_mossy", s.seed = 17, s.height = 18, s.trunkRadius = 0.72f, s.crownRadius = 7.8f, s.crownBase = 0.20f, s.trunkSides = 10;
-    s.branches = 12, s.gnarl = 0.34f, s.angleLow = 80, s.cards = 235, s.cardSize = 3.2f, s.clumpSize = 0.38f, s.fill = 12;
+    s.branches = 12, s.gnarl = 0.34f, s.angleLow = 80, s.cards = 245, s.cardSize = 3.5f, s.clumpSize = 0.38f, s.fill = 12;
     return s;
 }
 TreeShape birch()
 {
-    return {.bark = "bark_birch", .leaf = "leaf_birch", .seed = 23, .height = 15.5f, .trunkRadius = 0.19f, .crownBase = 0.30f, .crownRadius = 3.0f,
+    return {.bark = "bark_birch", .leaf = "leaf_birch", .seed = 23, .height = 15.5f, .trunkRadius = 0.19f, .crownBase = 0.24f, .crownRadius = 3.0f,
             .widest = 0.35f, .trunkSides = 7, .trunkRings = 8, .branches = 13, .branchSides = 3, .branchRings = 4, .twigs = 1, .angleLow = 58,
-            .angleHigh = 24, .upturn = 0.35f, .gnarl = 0.2f, .droop = 0.28f, .lean = 0.05f, .cards = 165, .cardSize = 1.9f, .clumpSize = 0.46f};
+            .angleHigh = 24, .upturn = 0.35f, .gnarl = 0.2f, .droop = 0.28f, .lean = 0.05f, .cards = 172, .cardSize = 2.1f, .clumpSize = 0.46f};
 }
 TreeShape birchYoung()
 {
@@ -75,9 +75,9 @@ TreeShape birchOld()
 }
 TreeShape beech()
 {
-    return {.bark = "bark_beech", .leaf = "leaf_beech", .seed = 37, .height = 19, .trunkRadius = 0.36f, .crownBase = 0.30f, .crownRadius = 5.0f,
+    return {.bark = "bark_beech", .leaf = "leaf_beech", .seed = 37, .height = 18, .trunkRadius = 0.36f, .crownBase = 0.21f, .crownRadius = 5.0f,
             .widest = 0.45f, .trunkSides = 8, .trunkRings = 7, .branches = 12, .branchSides = 4, .branchRings = 4, .twigs = 2, .angleLow = 62,
-            .angleHigh = 20, .upturn = 0.6f, .gnarl = 0.16f, .cards = 195, .cardSize = 2.5f, .clumpSize = 0.44f};
+            .angleHigh = 20, .upturn = 0.6f, .gnarl = 0.16f, .cards = 205, .cardSize = 2.75f, .clumpSize = 0.44f};
 }
 TreeShape beechYoung()
 {
@@ -89,8 +89,8 @@ TreeShape beechYoung()
 TreeShape beechOld()
 {
     TreeShape s = beech();
-    s.seed = 43, s.height = 24, s.trunkRadius = 0.58f, s.crownRadius = 7.0f, s.crownBase = 0.26f, s.trunkSides = 10, s.branches = 13;
-    s.cards = 240, s.cardSize = 3.1f, s.clumpSize = 0.40f, s.fill = 12;
+    s.seed = 43, s.height = 24, s.trunkRadius = 0.58f, s.crownRadius = 7.0f, s.crownBase = 0.2f, s.trunkSides = 10, s.branches = 13;
+    s.cards = 245, s.cardSize = 3.5f, s.clumpSize = 0.40f, s.fill = 12;
     return s;
 }
 TreeShape inAutumn(TreeShape shape, const char* leaf, std::uint64_t seed)

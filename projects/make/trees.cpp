@@ -162,8 +162,8 @@ void addLeafCard(Mesh& mesh, int surface, const TreeShape& shape, const Clump& c
     const Card card{.base = at - up * (size * 0.5f), .up = up * size, .right = glm::cross(up, facing) * (size * 0.5f),
                     .bend = facing * (size * random.range(-0.10f, 0.10f)), .mirrored = random.chance(0.5f)};
     std::array<io::Vertex, 4> corners = cornersOf(card);
-    const float tone = random.range(0.84f, 1.0f);
-    const glm::vec3 tint = glm::vec3{0.97f + 0.03f * random.signedUnit(), 0.97f, 0.92f + 0.08f * random.signedUnit()} * tone;
+    const float tone = random.range(0.74f, 1.0f);
+    const glm::vec3 tint = glm::vec3{0.94f + 0.06f * random.signedUnit(), 0.96f, 0.90f + 0.10f * random.signedUnit()} * tone;
     for (io::Vertex& corner : corners) {
         const glm::vec3 fromClump = glm::normalize(corner.position - clump.centre + glm::vec3{0, 1e-4f, 0});
         corner.normal = glm::normalize(fromClump * 0.55f + crown.outward(corner.position) * 0.75f + glm::vec3{0, 0.12f, 0});

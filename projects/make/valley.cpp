@@ -9,16 +9,22 @@ std::vector<io::TerrainLayer> layers()
 {
     io::TerrainLayer meadow = layer("Meadow", "ground_grass", 3.2f);
 
+    io::TerrainLayer knolls = layer("Dry meadow", "ground_dry", 3.4f); // on the plain's low knolls
+    knolls.altitude = {34.6f, 46};
+    knolls.slope = {0, 14};
+    knolls.blend = 0.05f;
+    knolls.colour = {0.85f, 0.9f, 0.75f};
+
     io::TerrainLayer floor = layer("Forest floor", "ground_forest", 3.6f);
-    floor.altitude = {44, 1e5f};
-    floor.blend = 0.35f;
+    floor.altitude = {52, 1e5f};
+    floor.blend = 0.5f;
 
     io::TerrainLayer dry = layer("Dry grass", "ground_dry", 3.4f);
     dry.altitude = {165, 1e5f};
     dry.blend = 0.9f;
 
     io::TerrainLayer scree = layer("Scree", "ground_scree", 4);
-    scree.slope = {30, 90};
+    scree.slope = {33, 90};
     scree.altitude = {40, 1e5f};
     scree.blend = 0.35f;
 
@@ -32,19 +38,20 @@ std::vector<io::TerrainLayer> layers()
     pebbles.altitude = {-1e5f, 29.3f};
     pebbles.blend = 0.02f;
     pebbles.roughness = 0.8f;
-    return {meadow, floor, dry, scree, rock, pebbles};
+    return {meadow, knolls, floor, dry, scree, rock, pebbles};
 }
 
 // A clear morning late in September.
 io::Environment morning()
 {
     io::Environment environment;
-    environment.time = 8.6f;
+    environment.time = 8.8f;
     environment.dayOfYear = 264;
     environment.latitude = 49;
-    environment.exposure = 2.2f;
+    environment.exposure = 3.5f;
+    environment.sun.irradiance = {1.10f, 1.0f, 0.89f}; // a little warmer than the air alone makes it
     environment.clouds.coverage = 0.42f;
-    environment.fog.density = 0.00035f;
+    environment.fog.density = 0.00022f;
     environment.fog.height = 90;
     environment.fog.base = 26;
     environment.fog.tint = {1.05f, 1.0f, 0.95f};

@@ -7,7 +7,6 @@
 namespace make {
 namespace {
 
-constexpr glm::vec2 kHut{-24, -19}; // from the fire, m
 constexpr float kHutYaw = 52;       // its door looks at the fire
 
 struct Piece {
@@ -22,15 +21,15 @@ struct Piece {
 
 const Piece kPieces[] = {
     {"campfire", {0, 0}, 20, 1, "Campfire", 2.2f},
-    {"tent", {-6.6f, 1.2f}, 84, 1.1f, "Tent", 3.2f},
+    {"tent", {-5.2f, 2.0f}, 100, 1.1f, "Tent", 3.2f},
     {"log", {0.4f, 3.0f}, 8, 1.1f, "Log seat"},
     {"log", {2.9f, -0.6f}, 98, 1, "Log seat"},
     {"log", {-0.6f, -3.0f}, -14, 1.05f, "Log seat"},
-    {"stump", {6.4f, -4.0f}, 30, 0.9f, "Chopping block"},
-    {"axe", {6.4f, -4.0f}, 200, 1.25f, "Axe", 0.1f, 0.435f},
-    {"log", {7.7f, -5.2f}, 40, 0.5f, "Firewood", 0.5f},
-    {"log", {8.1f, -4.3f}, 120, 0.45f, "Firewood", 0.5f},
-    {"log", {6.9f, -5.9f}, 75, 0.5f, "Firewood", 0.5f},
+    {"stump", {4.6f, -3.4f}, 30, 0.9f, "Chopping block"},
+    {"axe", {4.6f, -3.4f}, 200, 1.25f, "Axe", 0.1f, 0.435f},
+    {"log", {5.9f, -4.6f}, 40, 0.5f, "Firewood", 0.5f},
+    {"log", {6.3f, -3.7f}, 120, 0.45f, "Firewood", 0.5f},
+    {"log", {5.1f, -5.3f}, 75, 0.5f, "Firewood", 0.5f},
     {"hut", kHut, kHutYaw, 1, "Hut", 5.2f},
     {"log", kHut + glm::vec2{4.6f, -1.2f}, 50, 1, "Firewood", 0.8f},
     {"log", kHut + glm::vec2{5.0f, -1.0f}, 53, 0.95f, "Firewood", 0.8f},
@@ -42,7 +41,7 @@ void addFences(Stage& stage, io::ObjectId group, Random& random)
     const float turn = glm::radians(kHutYaw);
     const glm::vec2 right{std::cos(turn), -std::sin(turn)}, front{std::sin(turn), std::cos(turn)};
     const auto corner = [&](float x, float z) { return kCamp + kHut + right * x + front * z; };
-    const glm::vec2 line[] = {corner(-9, 1), corner(-9, 11), corner(-1.2f, 11), corner(1.3f, 11), corner(9, 11), corner(9, -2)};
+    const glm::vec2 line[] = {corner(-8, -1), corner(-8, 8.5f), corner(-1.2f, 8.5f), corner(1.3f, 8.5f), corner(6.5f, 8.5f), corner(8, 3), corner(8, -3)};
     for (std::size_t i = 0; i + 1 < std::size(line); ++i) {
         if (i == 2) continue; // the way in
         const glm::vec2 along = line[i + 1] - line[i];
@@ -69,7 +68,7 @@ void setCamp(Stage& stage)
     }
     addFences(stage, camp, random);
     stage.put({.what = "spawn_point", .at = kCamp + glm::vec2{12, 9}, .yaw = 120, .scale = 1, .name = "Start"}, random);
-    stage.put({.what = "point_of_interest", .at = kCamp + kHut, .yaw = 0, .scale = 1, .name = "Hut", .lift = 5.5f}, random);
+    stage.put({.what = "point_of_interest", .at = {-330, -120}, .yaw = 0, .scale = 1, .name = "View over the valley"}, random);
 }
 
 } // namespace make

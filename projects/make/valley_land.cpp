@@ -58,21 +58,35 @@ float rawHeight(glm::vec2 p)
     return 31.4f + fromMiddle * 0.012f + std::max(0.0f, knolls) + mountain + rim * smooth(40, 260, fromMiddle);
 }
 
-// The stream cuts its bed, with undercut outer banks and gravel bars; never does the plain sink to the bed's level.
+// How sharply the stream turns, -1..1; positive where it bends towards +x.
+float bendAt(float z)
+{
+    const float turn = (streamX(z + 12) - 2 * streamX(z) + streamX(z - 12)) / 144;
+    return std::clamp(turn * 60, -1.0f, 1.0f);
+}
+
+// The stream cuts its bed: steep outer banks, gravel bars that slope gently inside the bends. Never does the plain
+// sink to the bed's level.
 float carved(glm::vec2 p, float height)
 {
     const float distance = streamDistance(p);
-    const float half = 6.5f + 3.0f * noise(glm::vec2{p.y / 47, 3}, 31);
+    if (distance > 90) return std::max(height, 30.7f);
+    const float inner = std::max(0.0f, bendAt(p.y) * (p.x > streamX(p.y) ? 1.0f : -1.0f));
+    const float half = 5.6f + 2.6f * noise(glm::vec2{p.y / 41, 3}, 31) + 1.1f * noise(p / 9.0f, 35) + 5.0f * inner;
     const float bars = 0.35f * fbm(p / 14.0f, 32, {.count = 3}) + 0.10f * fbm(p / 2.5f, 33, {.count = 2});
-    const float bed = bedLevel(p.y) + bars + 0.5f * smooth(0, half, distance);
+    const float bed = bedLevel(p.y) + bars + 0.5f * smooth(0, half, distance) + 0.5f * inner * smooth(2, 12, distance);
     const float floor = std::max(height, 30.2f + 0.5f * smooth(half, half + 30, distance));
-    return glm::mix(bed, floor, smooth(half, half + 7.5f + 2 * noise(p / 30.0f, 34), distance));
+    const float bank = 4.5f + 9 * inner + 2.5f * (1 + noise(p / 22.0f, 34));
+    return glm::mix(bed, floor, smooth(half, half + bank, distance));
 }
 
-float levelled(glm::vec2 p, float height)
+// Level ground for the camp and, where the slope begins, for the hut.
+void level(io::HeightMap& land, glm::vec2 middle, float radius, float height)
 {
-    const float away = glm::length(p - kCamp) + 5 * noise(p / 18.0f, 41);
-    return glm::mix(32.1f + 0.15f * fbm(p / 9.0f, 42, {.count = 2}), height, smooth(20, 52, away));
+    change(land, [&](glm::vec2 p, float h) {
+        const float away = glm::length(p - middle) + 0.25f * radius * noise(p / 18.0f, 41);
+        return glm::mix(height + 0.12f * fbm(p / 9.0f, 42, {.count = 2}), h, smooth(radius, radius * 2.6f, away));
+    });
 }
 
 } // namespace
@@ -119,7 +133,8 @@ io::HeightMap makeValleyLand()
     rainOn(land, {.drops = 420000, .steps = 34, .brush = 2, .strength = 0.8f, .seed = 53});
     settle(land, 58, 2);
 
-    change(land, levelled);
+    level(land, kCamp, 16, 32.1f);
+    level(land, kCamp + kHut, 6, heightAt(land, kCamp + kHut));
     change(land, carved);
     change(land, [](glm::vec2, float h) { return std::clamp(h, 0.0f, kValleyTop); });
     finish(land);

@@ -7,6 +7,7 @@ namespace make {
 
 constexpr float kValleyTop = 400;   // m, of the highest value in the file
 constexpr glm::vec2 kCamp{-14, 100}; // the campfire, world x and z
+constexpr glm::vec2 kHut{-18, -15}; // from the campfire, m
 
 float streamX(float z);                    // the stream's middle
 float streamDistance(glm::vec2 p);         // m, to its middle

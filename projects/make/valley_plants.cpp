@@ -10,7 +10,7 @@
 namespace make {
 namespace {
 
-constexpr int kTrees = 2480;
+constexpr int kTrees = 2650;
 
 float smooth(float low, float high, float x)
 {
@@ -25,8 +25,8 @@ float altitude(const Stage& stage, glm::vec2 p)
 // Where people look: trees are spent there first.
 float nearness(glm::vec2 p)
 {
-    const float away = glm::length((p - glm::vec2{10, 40}) * glm::vec2{1.0f, 0.8f});
-    return glm::mix(0.16f, 1.0f, smooth(640, 190, away));
+    const float away = glm::length((p - glm::vec2{0, -70}) * glm::vec2{1.0f, 0.72f});
+    return glm::mix(0.045f, 1.0f, smooth(560, 200, away));
 }
 
 struct Kind {
@@ -52,7 +52,7 @@ Kind coniferOf(const Site& site, Random& random)
 Kind broadleafOf(const Site& site, Random& random)
 {
     const float age = site.age + 0.22f * random.bell();
-    const bool autumn = noise(site.at / 85.0f, 81) + 0.35f * random.bell() > 0.34f;
+    const bool autumn = noise(site.at / 85.0f, 81) + 0.35f * random.bell() > 0.50f;
     const bool edge = site.forest < 0.42f;
     const float kind = site.wet + 0.35f * random.bell();
     if ((edge && random.chance(0.55f)) || kind > 0.42f) {
@@ -88,8 +88,8 @@ void plantLandmarks(Stage& stage)
         float scale;
     };
     const Landmark landmarks[] = {{"oak_old", {-13, 13.5f}, 1.05f},  {"birch_autumn", {13.5f, -12}, 1.0f}, {"birch", {16.5f, -14.5f}, 0.9f},
-                                  {"beech_autumn", {-33, 2}, 1.0f},  {"oak_autumn", {-30, -34}, 1.1f},     {"fir_old", {-38, -24}, 1.0f},
-                                  {"fir", {-35, -17}, 1.1f},         {"birch_old", {-20, 26}, 1.0f},       {"oak_old", {150, 190}, 1.1f},
+                                  {"beech_autumn", {-27, 4}, 1.0f},  {"oak_autumn", {-20, -27}, 1.0f},     {"fir_old", {-29, -19}, 1.0f},
+                                  {"fir", {-28, -12}, 1.1f},         {"birch_old", {-22, 22}, 1.0f},       {"oak_old", {150, 190}, 1.1f},
                                   {"oak_old", {205, 330}, 1.15f},    {"oak_autumn", {118, 262}, 1.1f},     {"birch_autumn", {92, 60}, 1.05f},
                                   {"birch", {96, 66}, 1.0f},         {"birch_old", {89, 68}, 0.95f}};
     Random random{901};
@@ -107,14 +107,15 @@ float forestAt(const Stage& stage, glm::vec2 p)
 {
     const float height = altitude(stage, p);
     const float slope = slopeAt(stage.heights(), p);
-    const float patches = 0.5f + 0.75f * fbm(p / 210.0f, 71, {.count = 4});
-    const float onHills = smooth(31.5f, 44, height + 5 * noise(p / 60.0f, 72));
-    const float plain = 0.42f * smooth(0.20f, 0.55f, fbm(p / 95.0f, 73, {.count = 3})); // groves on the plain
+    const float patches = fbm(p / 190.0f, 71, {.count = 4}) + 0.10f * fbm(p / 28.0f, 77, {.count = 2});
+    const float onHills = smooth(32.0f, 38, height + 4 * noise(p / 60.0f, 72));
+    const float groves = fbm(p / 85.0f, 73, {.count = 3});
+    const float plain = 0.75f * smooth(0.30f, 0.42f, groves); // groves on the plain
     const float treeline = 1 - smooth(150, 235, height + 35 * noise(p / 90.0f, 74));
     const float rooted = 1 - smooth(31, 40, slope);
     const float clearing = smooth(19, 34, glm::length((p - kCamp - glm::vec2{-4, -4}) * glm::vec2{0.9f, 1}) + 6 * noise(p / 14.0f, 75));
     const float banks = smooth(11, 24, streamDistance(p) + 4 * noise(p / 20.0f, 76));
-    return std::clamp(std::max(plain, onHills * smooth(0.22f, 0.75f, patches)), 0.0f, 1.0f) * treeline * rooted * clearing * banks;
+    return std::clamp(std::max(plain, onHills * smooth(-0.16f, 0.06f, patches)), 0.0f, 1.0f) * treeline * rooted * clearing * banks;
 }
 
 void plantForest(Stage& stage)
@@ -132,7 +133,7 @@ void plantForest(Stage& stage)
         site.age = std::clamp(0.5f + 0.55f * noise(site.at / 65.0f, 84) + 0.30f * (site.forest - 0.5f), 0.0f, 1.0f);
         site.wet = noise(site.at / 130.0f, 85);
         const Kind kind = treeFor(site, random);
-        const float room = kind.room * glm::mix(1.15f, 0.8f, site.forest);
+        const float room = kind.room * glm::mix(1.0f, 0.72f, site.forest);
         if (!stage.isFree(site.at, room)) continue;
         stage.put({.what = kind.name, .at = site.at}, random);
         stage.take(site.at, room);
@@ -183,9 +184,9 @@ void plantUndergrowth(Stage& stage)
     const auto inside = [&](glm::vec2 p) { return smooth(0.35f, 0.8f, forestAt(stage, p)) * nearness(p); };
     const auto open = [&](glm::vec2 p) {
         const float meadow = (1 - smooth(0.1f, 0.4f, forestAt(stage, p))) * smooth(9, 12, streamDistance(p));
-        return meadow * smooth(6.5f, 12, glm::length(p - kCamp)) * (0.35f + 0.65f * smooth(-0.1f, 0.5f, noise(p / 7.0f, 91)));
+        return meadow * smooth(4.5f, 9, glm::length(p - kCamp)) * (0.35f + 0.65f * smooth(-0.1f, 0.5f, noise(p / 7.0f, 91)));
     };
-    const auto bank = [&](glm::vec2 p) { return smooth(8, 10, streamDistance(p)) * smooth(19, 13, streamDistance(p)); };
+    const auto bank = [&](glm::vec2 p) { return smooth(29.3f, 29.9f, altitude(stage, p)) * smooth(24, 14, streamDistance(p)); };
 
     scatter(stage, {"dead_tree", 46, 2.0f, middle, 620, 911}, inside);
     scatter(stage, {"dead_branch", 84, 0.9f, middle, 380, 912}, inside);
@@ -196,9 +197,9 @@ void plantUndergrowth(Stage& stage)
     scatter(stage, {"bush", 34, 1.2f, middle, 380, 917}, bank);
     scatter(stage, {"fern", 110, 0.5f, middle, 240, 918}, inside);
     scatter(stage, {"grass_dry", 120, 0.45f, middle, 190, 919}, bank);
-    scatter(stage, {"grass", 190, 0.4f, kCamp, 40, 920}, open);
-    scatter(stage, {"grass_dry", 60, 0.4f, kCamp, 46, 921}, open);
-    scatter(stage, {"flowers", 70, 0.4f, kCamp + glm::vec2{4, 0}, 46, 922}, open);
+    scatter(stage, {"grass", 330, 0.32f, kCamp, 30, 920}, open);
+    scatter(stage, {"grass_dry", 46, 0.4f, kCamp, 40, 921}, open);
+    scatter(stage, {"flowers", 90, 0.35f, kCamp + glm::vec2{4, 0}, 34, 922}, open);
     scatter(stage, {"grass", 70, 0.4f, middle, 200, 923}, open);
 }
 
@@ -221,15 +222,15 @@ void layRocks(Stage& stage)
     const auto cliff = [&](glm::vec2 p) { return smooth(40, 47, slopeAt(stage.heights(), p)) * nearness(p); };
     const auto scree = [&](glm::vec2 p) { return smooth(38, 44, steepAbove(stage, p)) * smooth(39, 31, slopeAt(stage.heights(), p)) * nearness(p); };
     const auto slope = [&](glm::vec2 p) { return smooth(14, 26, slopeAt(stage.heights(), p)) * 0.6f * nearness(p); };
-    const auto bed = [&](glm::vec2 p) { return smooth(8.5f, 5.0f, streamDistance(p)); };
+    const auto bed = [&](glm::vec2 p) { return smooth(29.2f, 28.6f, altitude(stage, p)); };
     const auto meadow = [&](glm::vec2 p) { return smooth(12, 16, streamDistance(p)) * smooth(14, 5, slopeAt(stage.heights(), p)) * smooth(16, 24, glm::length(p - kCamp)); };
 
     scatter(stage, {"rock_slab", 52, 3.0f, middle, 700, 931}, cliff);
     scatter(stage, {"boulder", 34, 2.4f, middle, 600, 932}, scree);
-    scatter(stage, {"rock", 120, 1.2f, middle, 520, 933}, scree);
-    scatter(stage, {"rock_small", 110, 0.5f, middle, 420, 934}, scree);
-    scatter(stage, {"rock", 60, 1.3f, middle, 480, 935}, slope);
-    scatter(stage, {"rock_mossy", 80, 1.5f, middle, 420, 936}, slope);
+    scatter(stage, {"rock", 90, 1.2f, middle, 520, 933}, scree);
+    scatter(stage, {"rock_small", 70, 0.5f, middle, 420, 934}, scree);
+    scatter(stage, {"rock", 40, 1.3f, middle, 480, 935}, slope);
+    scatter(stage, {"rock_mossy", 56, 1.5f, middle, 420, 936}, slope);
     scatter(stage, {"boulder", 13, 2.6f, middle, 420, 937}, bed);
     scatter(stage, {"rock", 46, 1.3f, middle, 330, 938}, bed);
     scatter(stage, {"rock_small", 150, 0.45f, kCamp, 210, 939}, bed);
