@@ -1,3 +1,4 @@
+cmake_minimum_required(VERSION 3.25) # IN_LIST
 # Fails when a file of FOLDER includes a floor that is not in ALLOWED (targets, as io_scene for io/scene),
 # or a library from outside that belongs to another floor.
 string(REPLACE "," ";" allowed "${ALLOWED}")
