@@ -3,6 +3,7 @@
 #include "app/replay.h"
 #include "io/files/json.h"
 
+#include <GLFW/glfw3.h>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -19,7 +20,22 @@ std::string utf8(ImWchar letter)
     return {char(0xe0 | c >> 12), char(0x80 | (c >> 6 & 0x3f)), char(0x80 | (c & 0x3f))};
 }
 
+bool isModifier(int code)
+{
+    return code >= GLFW_KEY_LEFT_SHIFT && code <= GLFW_KEY_RIGHT_SUPER;
+}
+
 } // namespace
+
+void Recorder::keys(const ImGuiIO& io, bool down, bool modifiers)
+{
+    for (int code = 0; code < 512; ++code) {
+        if (io.KeysDown[code] == m_keys[code] || io.KeysDown[code] != down || isModifier(code) != modifiers) continue;
+        m_keys[code] = down;
+        const std::string name = nameOfKey(code);
+        if (!name.empty()) write(fmt::format("{{\"{}\": \"{}\"}}", down ? "keydown" : "keyup", name));
+    }
+}
 
 void Recorder::write(const std::string& line)
 {
@@ -40,12 +56,11 @@ void Recorder::frame(const ImGuiIO& io)
             m_buttons[i] = io.MouseDown[i];
             write(fmt::format("{{\"{}\": \"{}\"}}", m_buttons[i] ? "press" : "release", kButtons[i]));
         }
-    for (int code = 0; code < 512; ++code)
-        if (io.KeysDown[code] != m_keys[code]) {
-            m_keys[code] = io.KeysDown[code];
-            const std::string name = nameOfKey(code);
-            if (!name.empty()) write(fmt::format("{{\"{}\": \"{}\"}}", m_keys[code] ? "keydown" : "keyup", name));
-        }
+    // Ctrl and its like go down before the other keys of their frame and up after them, so that a chord stays one.
+    keys(io, true, true);
+    keys(io, true, false);
+    keys(io, false, false);
+    keys(io, false, true);
     if (io.MouseWheel != 0 || io.MouseWheelH != 0) write(fmt::format("{{\"wheel\": [{}, {}]}}", io.MouseWheelH, io.MouseWheel));
     std::string typed;
     for (const ImWchar letter : io.InputQueueCharacters)

@@ -15,6 +15,7 @@ public:
     void frame(const ImGuiIO& io); // after ImGui::NewFrame()
 
 private:
+    void keys(const ImGuiIO& io, bool down, bool modifiers);
     void write(const std::string& line); // after the frames in which nothing happened
 
     std::ofstream m_file;

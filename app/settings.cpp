@@ -16,7 +16,7 @@ constexpr std::uint64_t kLargest = 16 << 20; // bytes
 
 io::Value defaults()
 {
-    return io::Value::Object{{"version", 1}, {"language", "en"}, {"quality", "high"}, {"recent", io::Value::Array{}}};
+    return io::Value::Object{{"version", 1}, {"language", "en"}, {"quality", "auto"}, {"recent", io::Value::Array{}}};
 }
 
 std::string text(const io::Value& object, std::string_view key, std::string otherwise)
@@ -77,7 +77,7 @@ std::string Settings::language() const
 
 Quality Settings::quality() const
 {
-    return qualityNamed(text(m_values, "quality", "high")).value_or(Quality::High);
+    return qualityNamed(text(m_values, "quality", "auto")).value_or(Quality::Auto);
 }
 
 std::vector<fs::path> Settings::recentProjects() const

@@ -24,8 +24,10 @@ io::Result<io::Value> readLanguage(const std::string& code)
 
 std::string ownName(const io::Value& language, const std::string& code)
 {
-    const io::Value* category = language.find("language");
-    const io::Value* name = category ? category->find("name") : nullptr;
+    constexpr std::string_view kKey = "language.name";
+    constexpr std::size_t kDot = kKey.find('.');
+    const io::Value* category = language.find(kKey.substr(0, kDot));
+    const io::Value* name = category ? category->find(kKey.substr(kDot + 1)) : nullptr;
     return name && name->asString() ? *name->asString() : code;
 }
 

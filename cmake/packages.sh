@@ -35,5 +35,5 @@ buildRelease() {
     if [ ! -f "$root/build/release/build.ninja" ]; then
         (cd "$root" && cmake --preset release) >&2
     fi
-    ninja -C "$root/build/release" --quiet "$@" >&2
+    ninja -C "$root/build/release" --quiet "$@" | { grep -v '^ninja: no work to do' || true; } >&2
 }

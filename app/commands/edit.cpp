@@ -31,6 +31,11 @@ Settings settingsFor(const Options& options)
     return options.replay.empty() ? Settings::load(Settings::defaultFile()) : Settings{};
 }
 
+double secondsSince(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 // ---- the replay
 
 class Stage {
@@ -47,7 +52,9 @@ public:
         m_view.runImGui();
         m_canvas->begin();
         m_host.end();
+        ++m_frames;
     }
+    int frames() const { return m_frames; }
 
     Player::Stage hooks()
     {
@@ -84,10 +91,12 @@ private:
     ImguiHost& m_host;
     std::unique_ptr<renderer::Canvas> m_canvas;
     std::size_t m_shots = 0;
+    int m_frames = 0;
 };
 
 io::Status play(const Options& options, std::vector<Step> steps, EditView& view, ImguiHost& host)
 {
+    const auto start = std::chrono::steady_clock::now();
     Stage stage{options, view, host};
     Player player{std::move(steps), options.replay.string(), stage.hooks()};
     stage.draw(); // widgets have a place only once they were drawn
@@ -99,7 +108,8 @@ io::Status play(const Options& options, std::vector<Step> steps, EditView& view,
     }
     for (int i = 0; i < kSettle && !view.editor().wantsClose(); ++i)
         stage.draw();
-    return stage.finish();
+    if (io::Status finished = stage.finish(); !finished) return finished;
+    return writeFigures(options.json, io::Value::Object{{"frames", stage.frames()}, {"seconds", secondsSince(start)}});
 }
 
 int replay(const Options& options)

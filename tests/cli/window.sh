@@ -34,7 +34,7 @@ print(int(rect[0] + rect[2] / 2), int(rect[1] + rect[3] / 2))
 PY
 )
 
-"$wold" edit "$world" --size 1280x720 > "$home/log" 2>&1 &
+"$wold" edit "$world" --size 1280x720 --record "$home/recorded.jsonl" > "$home/log" 2>&1 &
 editor=$!
 until_true 60 "a window" xdotool search --onlyvisible --name 'Small' > "$home/window"
 window=$(head -1 "$home/window")
@@ -62,4 +62,10 @@ wait "$editor" || fail "the editor ended with $?"
 editor=
 [ -f "$home/config/wold/settings.json" ] || fail "no settings were written"
 cmp -s "$out/window-open.png" "$out/window-duplicated.png" && fail "the window did not change"
+
+# What was recorded does the same again, without a window.
+rm -rf "$world"
+"$make_small_world" "$world"
+"$wold" edit "$world" --headless --replay "$home/recorded.jsonl" --size 1280x720 --quiet || fail "the recording does not replay"
+[ "$(objects)" -eq $((before + 1)) ] || { cat "$home/recorded.jsonl"; fail "the recording does something else"; }
 echo "window: ok; the pictures lie in $out"

@@ -34,7 +34,7 @@ TEST_F(SettingsTest, areMadeWhenMissing)
     const Settings settings = Settings::load(file);
     EXPECT_TRUE(fs::exists(file));
     EXPECT_EQ(settings.language(), "en");
-    EXPECT_EQ(settings.quality(), Quality::High);
+    EXPECT_EQ(settings.quality(), Quality::Auto);
 }
 
 TEST_F(SettingsTest, aBrokenFileIsKeptAsideAndDefaultsHold)
@@ -52,7 +52,7 @@ TEST_F(SettingsTest, valuesOfTheWrongTypeFallBack)
     write(R"({"language": 7, "quality": "splendid", "recent": "x"})");
     const Settings settings = Settings::load(file);
     EXPECT_EQ(settings.language(), "en");
-    EXPECT_EQ(settings.quality(), Quality::High);
+    EXPECT_EQ(settings.quality(), Quality::Auto);
     EXPECT_TRUE(settings.recentProjects().empty());
 }
 
