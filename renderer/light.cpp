@@ -39,6 +39,13 @@ void addFog(glsl::Light& light, const io::Fog& fog, bool on, double eyeHeight)
     light.fogDensity = on ? float(fog.density * std::exp(exponent)) : 0.0f;
 }
 
+// The value that a share `coverage` of the cloud field exceeds; the field's values lie about as a logistic curve does.
+float cloudEdge(float coverage)
+{
+    const float share = glm::clamp(coverage, 0.005f, 0.995f);
+    return 0.53f - 0.043f * std::log(share / (1 - share));
+}
+
 void addClouds(glsl::Light& light, const io::Clouds& clouds, bool on, const Eye& eye, double time)
 {
     const double towards = glm::radians(double(clouds.direction));
@@ -46,8 +53,8 @@ void addClouds(glsl::Light& light, const io::Clouds& clouds, bool on, const Eye&
     const glm::dvec2 drifted = glm::dvec2{eye.position.x, eye.position.z} - wind * (double(clouds.speed) * time);
     light.cloudsOn = on && clouds.coverage > 0 ? glm::smoothstep(0.0f, 0.08f, clouds.coverage) : 0.0f;
     light.cloudAltitude = float(clouds.altitude - eye.position.y);
-    light.cloudCoverage = clouds.coverage;
-    light.cloudSoftness = clouds.softness;
+    light.cloudEdge = cloudEdge(clouds.coverage);
+    light.cloudWidth = 0.035f + 0.22f * clouds.softness;
     light.cloudOrigin = glm::vec2{drifted - glm::floor(drifted / kCloudPeriod) * kCloudPeriod};
     light.cloudWind = glm::vec2{wind};
 }

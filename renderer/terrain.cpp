@@ -78,7 +78,7 @@ glm::vec4 rampsOf(const glm::vec2& range, float half, const glm::vec2& scale)
     return ramps;
 }
 
-glsl::TerrainLayer layerBlock(const io::TerrainLayer& layer, bool colour, bool normal, int index, int side)
+glsl::TerrainLayer layerBlock(const io::TerrainLayer& layer, bool colour, bool normal, int index)
 {
     const float blend = std::max(layer.blend, 1e-3f);
     glsl::TerrainLayer block{};
@@ -90,7 +90,6 @@ glsl::TerrainLayer layerBlock(const io::TerrainLayer& layer, bool colour, bool n
     block.roughness = layer.roughness;
     block.colourLayer = colour ? float(index) : -1.0f;
     block.normalLayer = normal ? float(index) : -1.0f;
-    block.lodOffset = std::log2(float(side) * block.repeats);
     return block;
 }
 
@@ -182,10 +181,10 @@ void Terrain::uploadLayers(const io::Terrain& terrain, const io::Assets& assets)
     }
     m_block.layers = int(count);
     for (std::size_t i = 0; i < count; ++i)
-        m_block.layer[i] = layerBlock(terrain.layers[i], colours[i] != nullptr, normals[i] != nullptr, int(i), sideFor(colours));
+        m_block.layer[i] = layerBlock(terrain.layers[i], colours[i] != nullptr, normals[i] != nullptr, int(i));
     if (count == 0) { // bare earth
         m_block.layers = 1;
-        m_block.layer[0] = layerBlock({.colour = {0.16f, 0.17f, 0.11f}}, false, false, 0, 1);
+        m_block.layer[0] = layerBlock({.colour = {0.16f, 0.17f, 0.11f}}, false, false, 0);
     }
     Images images = colours;
     images.insert(images.end(), normals.begin(), normals.end());

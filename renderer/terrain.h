@@ -29,6 +29,7 @@ public:
     void bind(GpuFrame& gpu, bool shading) const;
     void draw(GpuFrame& gpu, const Draw& draw);
 
+    int layers() const { return m_block.layers; } // at least 1
     io::WorldBox bounds() const;
     std::uint64_t revision() const { return m_revision; }
     const io::HeightMap* heights() const { return m_map.get(); }

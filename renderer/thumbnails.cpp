@@ -87,7 +87,7 @@ Picture Thumbnails::make(GpuFrame& gpu, const World& world, io::TemplateId id, i
     const Eye eye = eyeOf(cameraFor(model), m_colour.size());
     gpu.constants(VIEW_BINDING, viewBlock(eye, eye.clipFromRelative, 0, 0));
     gpu.constants(LIGHT_BINDING, studioLight());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SKY_LIGHT_BINDING, m_skyLight.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, SKY_LIGHT_BINDING, m_skyLight.id());
 
     const float ground = model.bounds.empty() ? 0.0f : model.bounds.min.y * scale;
     const glm::vec3 foot = glm::vec3{model.centre.x, ground, model.centre.z} - glm::vec3{eye.position};

@@ -14,10 +14,17 @@ void GBuffer::bind(GpuFrame& gpu) const
 }
 
 GeometryPass::GeometryPass(ShaderLibrary& shaders)
-    : m_programs{shaders, "objects", {}, kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap},
-      m_ground{shaders.program({.label = "ground", .stages = {"terrain.vert.glsl", "terrain.frag.glsl"}})},
+    : m_shaders{shaders}, m_programs{shaders, "objects", {}, kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap},
       m_objects{makeObjectVertexArray()}
 {
+    groundProgram(1);
+}
+
+const gl::Program& GeometryPass::groundProgram(int layers)
+{
+    return m_shaders.program({.label = "ground",
+                              .stages = {"terrain.vert.glsl", "terrain.frag.glsl"},
+                              .defines = {"LAYERS " + std::to_string(layers)}});
 }
 
 void GeometryPass::resize(glm::ivec2 size)
@@ -56,7 +63,7 @@ const GBuffer& GeometryPass::render(GpuFrame& gpu, Scenery& scenery, const Viewp
         bindArrays(gpu, models, batch);
         return gpu.use(m_programs.of(batch));
     });
-    if (scenery.terrain.present() && gpu.use(m_ground)) {
+    if (scenery.terrain.present() && gpu.use(groundProgram(scenery.terrain.layers()))) {
         gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GL_BACK});
         scenery.terrain.bind(gpu, true);
         scenery.terrain.draw(gpu, drawn.ground);

@@ -29,8 +29,10 @@ public:
 private:
     void resize(glm::ivec2 size);
 
+    const gl::Program& groundProgram(int layers);
+
+    ShaderLibrary& m_shaders;
     ObjectPrograms m_programs;
-    const gl::Program& m_ground;
     gl::VertexArray m_objects;
     GBuffer m_targets;
     gl::Framebuffer m_framebuffer;

@@ -60,7 +60,7 @@ void SkyPass::render(GpuFrame& gpu, Radiance& radiance, const Viewpoint& viewpoi
 }
 
 FogPass::FogPass(ShaderLibrary& shaders)
-    : m_surfaces{shaders.fullScreen("fog")}, m_sky{shaders.fullScreen("fog", {"OVER_SKY"})}
+    : m_program{shaders.fullScreen("fog")}
 {
 }
 
@@ -70,8 +70,7 @@ void FogPass::render(GpuFrame& gpu, Radiance& radiance, const GBuffer& surfaces,
     const auto scope = gpu.scope("fog");
     radiance.framebuffer.bind();
     surfaces.bind(gpu);
-    gpu.fullScreen(m_surfaces, {.depthTest = kWhereSurfacesAre, .blend = gl::Blend::Over}, {});
-    gpu.fullScreen(m_sky, {.depthTest = kWhereSkyIs, .blend = gl::Blend::Over}, {});
+    gpu.fullScreen(m_program, {.depthTest = kWhereSurfacesAre, .blend = gl::Blend::Over}, {});
 }
 
 } // namespace renderer

@@ -41,7 +41,7 @@ public:
     void render(GpuFrame& gpu, Radiance& radiance, const GBuffer& surfaces, const Viewpoint& viewpoint);
 
 private:
-    const gl::Program &m_surfaces, &m_sky;
+    const gl::Program& m_program;
 };
 
 } // namespace renderer

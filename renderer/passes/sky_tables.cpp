@@ -84,8 +84,9 @@ void SkyTables::drawSkyView(GpuFrame& gpu)
                    {{TRANSMITTANCE_UNIT, &m_transmittance.texture}, {MULTI_SCATTER_UNIT, &m_multiScatter.texture}});
     bind(gpu);
     if (!gpu.use(m_skyLightProgram)) return;
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SKY_LIGHT_STORAGE_BINDING, m_skyLight.id());
     glDispatchCompute(1, 1, 1);
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glMemoryBarrier(GL_UNIFORM_BARRIER_BIT);
 }
 
 void SkyTables::bind(GpuFrame& gpu) const
@@ -94,7 +95,7 @@ void SkyTables::bind(GpuFrame& gpu) const
               {TRANSMITTANCE_UNIT, &m_transmittance.texture},
               {MULTI_SCATTER_UNIT, &m_multiScatter.texture},
               {NOISE_UNIT, &m_noise.texture}});
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SKY_LIGHT_BINDING, m_skyLight.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, SKY_LIGHT_BINDING, m_skyLight.id());
 }
 
 } // namespace renderer

@@ -13,7 +13,7 @@ public:
     explicit SkyTables(ShaderLibrary& shaders);
 
     void update(GpuFrame& gpu, const glsl::Light& light); // the light block is bound
-    void bind(GpuFrame& gpu) const;                       // tables, noise, and the sky's light as a storage block
+    void bind(GpuFrame& gpu) const;                       // tables, noise, and the block of the sky's light
 
 private:
     void drawAirTables(GpuFrame& gpu);

@@ -1,4 +1,5 @@
 // Haze that thins out with height: optical depth in closed form, the sky's own light as its colour.
+#include "sky_light.glsl"
 #include "sky_tables.glsl"
 
 // What is left of light that comes from `relative`.
@@ -9,8 +10,10 @@ float fogTransmittance(vec3 relative)
     return exp(-light.fogDensity * length(relative) * share);
 }
 
-vec3 fogColour(vec3 direction)
+// Near haze is lit from all around, far haze takes the colour of the sky behind it.
+vec3 fogColour(vec3 direction, float distance_)
 {
     vec3 towards = normalize(vec3(direction.x, max(direction.y, 0.015), direction.z));
-    return skyRadiance(towards) * light.fogTint;
+    vec3 around = skyIrradiance(vec3(0.0, 0.4, 0.0));
+    return mix(skyRadiance(towards), around, 0.65 * exp(-distance_ * (1.0 / 1600.0))) * light.fogTint;
 }

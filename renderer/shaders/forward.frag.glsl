@@ -34,7 +34,7 @@ void main()
 #endif
 #ifndef STUDIO
     float through = fogTransmittance(relative);
-    lit = lit * through + fogColour(normalize(relative)) * (1.0 - through);
+    lit = lit * through + fogColour(normalize(relative), length(relative)) * (1.0 - through);
 #endif
     radiance = vec4(min(lit, vec3(60000.0)), alpha);
 #ifdef WRITE_ID

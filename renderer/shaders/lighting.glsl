@@ -1,13 +1,13 @@
 // How a surface answers sun and sky.
 #include "clouds.glsl"
 #include "light.glsl"
+#include "sky_light.glsl"
 #include "shared/brdf.h"
 #include "shared/gbuffer.h"
 #include "view.glsl"
 
 layout(binding = SHADOW_UNIT) uniform sampler2DArrayShadow shadowMaps;
 layout(binding = GROUND_SHADOW_UNIT) uniform sampler2D groundShadow;
-layout(std430, binding = SKY_LIGHT_BINDING) readonly buffer SkyLightBlock { SkyLight skyLight; };
 
 struct Surface {
     vec3 baseColour;
@@ -84,18 +84,6 @@ float sunVisibility(vec3 relative, vec3 normal, vec2 pixel)
 #else
     return 1.0;
 #endif
-}
-
-// Irradiance of the sky over pi.
-vec3 skyIrradiance(vec3 n)
-{
-    vec3 e = skyLight.irradiance[0].rgb * 0.282095;
-    e += (skyLight.irradiance[1].rgb * n.y + skyLight.irradiance[2].rgb * n.z + skyLight.irradiance[3].rgb * n.x) * 0.488603;
-    e += (skyLight.irradiance[4].rgb * (n.x * n.y) + skyLight.irradiance[5].rgb * (n.y * n.z) +
-          skyLight.irradiance[7].rgb * (n.x * n.z)) * 1.092548;
-    e += skyLight.irradiance[6].rgb * (0.315392 * (3.0 * n.z * n.z - 1.0));
-    e += skyLight.irradiance[8].rgb * (0.546274 * (n.x * n.x - n.y * n.y));
-    return max(e, vec3(0.0)) * light.sunAbove + light.skyFloor * (0.6 + 0.4 * n.y);
 }
 
 vec3 shade(Surface s, vec3 toEye, float sun)

@@ -1,5 +1,6 @@
 // The sky where nothing stands before it: scattered light, the sun's disc, clouds.
 #include "clouds.glsl"
+#include "fog.glsl"
 #include "shared/atmosphere.h"
 #include "sky_tables.glsl"
 #include "view.glsl"
@@ -33,24 +34,28 @@ vec3 withClouds(vec3 sky, vec3 disc, vec3 direction)
     float above = light.cloudAltitude;
     float t = sqrt(max(rise * rise + 2.0 * kPlanet * above + above * above, 0.0)) - rise;
     vec2 place = light.cloudOrigin + direction.xz * t;
-    float lod = log2(max(t * view.pixelAngle / max(direction.y, 0.05) / 21.5, 1.0)) * 0.8;
+    float lod = log2(max(t * view.pixelAngle / (21.5 * sqrt(max(direction.y, 0.03))), 1.0)) * 0.75;
 
-    float thickness = cloudThickness(place, lod);
-    vec2 sunward = light.towardSun.xz / max(light.towardSun.y, 0.25);
-    float shade1 = cloudThickness(place + sunward * 160.0, lod + 0.5);
-    float shade2 = cloudThickness(place + sunward * 420.0, lod + 1.0);
-    float sunDepth = thickness * 1.2 + shade1 * 1.6 + shade2 * 1.4;
+    float field = cloudField(place, lod);
+    float opacity = cloudCover(field) * 0.97;
+    float thick = clamp(field * 0.75, 0.0, 1.5);
 
-    float opacity = 1.0 - exp(-thickness * 5.0);
+    // What lies between here and the sun, sampled twice towards it.
+    vec2 sunward = light.towardSun.xz / max(light.towardSun.y, 0.22);
+    float towards = max(cloudField(place + sunward * 140.0, lod + 0.7), 0.0) * 0.9 +
+                    max(cloudField(place + sunward * 420.0, lod + 1.5), 0.0) * 0.6;
+    float depth = thick * 0.7 + min(towards, 3.0) * 0.75;
+
+    // Single scattering towards the eye, and the many scatterings that make a cloud white.
     float nu = dot(direction, light.towardSun);
-    float forwards = miePhase(0.6, nu) * 1.3 + miePhase(0.85, nu) * 0.12;
-    vec3 direct = light.sunAtClouds * (exp(-sunDepth * 1.3) * (0.19 + forwards) + exp(-sunDepth * 0.33) * 0.12);
-    vec3 around = skyRadiance(normalize(vec3(direction.x * 0.3, 0.9, direction.z * 0.3))) * (0.9 - 0.25 * thickness) +
-                  light.sunIrradiance * 0.03;
+    float ahead = miePhase(0.7, nu) * 0.9 + miePhase(0.9, nu) * 0.05;
+    vec3 direct = light.sunAtClouds * (exp(-depth * 1.2) * (0.2 + ahead) + exp(-depth * 0.26) * 0.24);
+    vec3 overhead = skyRadiance(normalize(vec3(direction.x * 0.3, 0.9, direction.z * 0.3)));
+    vec3 around = overhead * (1.15 - 0.3 * min(thick, 1.0)) + light.sunIrradiance * 0.02;
     vec3 cloud = direct + around;
 
     // Far clouds sink into the haze of the sky behind them.
-    float haze = exp(-t / 38000.0) * smoothstep(0.004, 0.07, direction.y);
+    float haze = exp(-t / 42000.0) * smoothstep(0.0, 0.05, direction.y);
     float visible = opacity * haze * light.cloudsOn;
     return mix(sky, cloud, visible) + disc * pow(1.0 - visible, 3.0);
 }
@@ -59,12 +64,20 @@ vec3 withClouds(vec3 sky, vec3 disc, vec3 direction)
 void main()
 {
     vec3 direction = normalize(ray);
-    vec3 sky = skyRadiance(direction);
+    float azimuth = azimuthFromSun(direction);
+    vec3 sky = skyView(azimuth, asin(clamp(direction.y, -1.0, 1.0))) * light.sunAbove + nightSky(direction.y);
     vec3 disc = sunDisc(direction);
 #ifdef CLOUDS
     vec3 colour = direction.y > 0.0 && light.cloudAltitude > 0.0 ? withClouds(sky, disc, direction) : sky + disc;
 #else
     vec3 colour = sky + disc;
 #endif
+
+    // Haze over the sky has the sky's own colour: it hides sun and clouds. Below the horizon the ray ends on the
+    // planet's ground.
+    float reach = direction.y < 0.0 ? min(light.atmosphere.eyeAltitude * 1000.0 / -direction.y, 1e5) : 1e6;
+    vec3 level = skyView(azimuth, max(asin(clamp(direction.y, -1.0, 1.0)), 0.0)) * light.sunAbove + nightSky(max(direction.y, 0.0));
+    float through = light.fogDensity > 0.0 ? fogTransmittance(direction * reach) : 1.0;
+    colour = mix(level * light.fogTint, colour, through);
     radiance = vec4(min(colour, vec3(60000.0)), 1.0);
 }

@@ -3,7 +3,7 @@
 #include "sky_tables.glsl"
 
 layout(local_size_x = 64) in;
-layout(std430, binding = SKY_LIGHT_BINDING) writeonly buffer SkyLightBlock { SkyLight skyLight; };
+layout(std430, binding = SKY_LIGHT_STORAGE_BINDING) writeonly buffer SkyLightBlock { SkyLight skyLight; };
 
 shared vec3 sums[64][9];
 

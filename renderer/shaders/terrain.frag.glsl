@@ -22,18 +22,19 @@ float ramps(float value, vec4 ramp)
     return both.x * both.y;
 }
 
-// `plane`: metres along the texture; `axisU`, `axisV`: where they point in the world; `lod`: log2 of metres a pixel.
-Cover cover(int index, vec2 plane, vec3 axisU, vec3 axisV, float tiling, float lod)
+// `plane`: metres along the texture; `axisU`, `axisV`: where they point in the world. All of a quad of pixels ask
+// for the same layer and plane, so that mips can come from their differences.
+Cover cover(int index, vec2 plane, vec3 axisU, vec3 axisV, float tiling)
 {
     TerrainLayer layer = terrain.layer[index];
     vec2 uv = plane * layer.repeats;
     // A second, larger and turned copy breaks the repeats that a single one shows from afar.
     const mat2 turn = mat2(0.7986, 0.6018, -0.6018, 0.7986) * 0.2371;
-    float fineLod = lod + layer.lodOffset;
-    vec4 fine = textureLod(layerColours, vec3(uv, max(layer.colourLayer, 0.0)), fineLod);
-    vec4 broad = textureLod(layerColours, vec3(turn * uv, max(layer.colourLayer, 0.0)), fineLod - 2.08);
+    const float kSharper = -0.6; // mips: the ground mostly runs away from the eye
+    vec4 fine = texture(layerColours, vec3(uv, max(layer.colourLayer, 0.0)), kSharper);
+    vec4 broad = texture(layerColours, vec3(turn * uv, max(layer.colourLayer, 0.0)), kSharper);
     vec4 both = mix(fine, broad, tiling);
-    vec2 bend = textureLod(layerNormals, vec3(uv, max(layer.normalLayer, 0.0)), fineLod).xy * 2.0 - 1.0;
+    vec2 bend = texture(layerNormals, vec3(uv, max(layer.normalLayer, 0.0)), kSharper).xy * 2.0 - 1.0;
     bend = layer.normalLayer < 0.0 ? vec2(0.0) : bend;
     both = layer.colourLayer < 0.0 ? vec4(1.0, 1.0, 1.0, 0.5) : both;
     Cover c;
@@ -42,6 +43,35 @@ Cover cover(int index, vec2 plane, vec3 axisU, vec3 axisV, float tiling, float l
     c.bend = axisU * bend.x - axisV * bend.y; // +Y of a normal map is up, and v runs down
     c.roughness = layer.roughness;
     return c;
+}
+
+// The value of the quad's first pixel, for all four.
+vec3 quadShared(vec3 v)
+{
+    vec2 odd = vec2(ivec2(gl_FragCoord.xy) & 1);
+    return v - dFdxFine(v) * odd.x - dFdyFine(v) * odd.y;
+}
+
+struct Choice {
+    float shown; // share that no layer has taken yet
+    int first, second;
+    float firstShare, secondShare;
+};
+
+// `where`: slope in degrees, altitude in m, and the noise that breaks borders.
+void consider(inout Choice c, const int index, vec3 where)
+{
+    TerrainLayer layer = terrain.layer[index];
+    vec2 moved = where.xy + where.z * layer.ragged;
+    float share = ramps(moved.x, layer.slopeRamps) * ramps(moved.y, layer.altitudeRamps);
+    share *= share * (3.0 - 2.0 * share) * c.shown;
+    c.shown -= share;
+    bool top = share > c.firstShare;
+    bool next = share > c.secondShare;
+    c.second = top ? c.first : next ? index : c.second;
+    c.secondShare = top ? c.firstShare : next ? share : c.secondShare;
+    c.first = top ? index : c.first;
+    c.firstShare = top ? share : c.firstShare;
 }
 
 void main()
@@ -56,48 +86,52 @@ void main()
     float ragged = (near.b - 0.5) * 1.1 + (far.b - 0.5) * 1.3;
     float slope = degrees(acos(clamp(n.y, 0.0, 1.0)));
 
-    // Later layers lie over earlier ones; of what then shows, keep the two largest shares.
-    float shown = 1.0;
-    int first = 0;
-    int second = 0;
-    float firstShare = 0.0;
-    float secondShare = 0.0;
-    for (int i = terrain.layers - 1; i >= 0; --i) {
-        vec2 moved = vec2(slope, place.z) + ragged * terrain.layer[i].ragged;
-        float share = ramps(moved.x, terrain.layer[i].slopeRamps) * ramps(moved.y, terrain.layer[i].altitudeRamps);
-        share *= share * (3.0 - 2.0 * share);
-        share *= shown;
-        shown -= share;
-        bool top = share > firstShare;
-        bool next = share > secondShare;
-        second = top ? first : next ? i : second;
-        secondShare = top ? firstShare : next ? share : secondShare;
-        first = top ? i : first;
-        firstShare = top ? share : firstShare;
-    }
+    // Later layers lie over earlier ones; of what then shows, keep the two largest shares. Written out layer by
+    // layer: software GL reads a uniform block far faster by constant numbers than by a loop's.
+    Choice choice = Choice(1.0, 0, 0, 0.0, 0.0);
+    vec3 where = quadShared(vec3(slope, place.z, ragged));
+#if LAYERS > 7
+    consider(choice, 7, where);
+#endif
+#if LAYERS > 6
+    consider(choice, 6, where);
+#endif
+#if LAYERS > 5
+    consider(choice, 5, where);
+#endif
+#if LAYERS > 4
+    consider(choice, 4, where);
+#endif
+#if LAYERS > 3
+    consider(choice, 3, where);
+#endif
+#if LAYERS > 2
+    consider(choice, 2, where);
+#endif
+#if LAYERS > 1
+    consider(choice, 1, where);
+#endif
+    consider(choice, 0, where);
 
     // Cliffs are projected from the side that faces them most; noise breaks the line where sides meet.
-    float steep = max(abs(n.x), abs(n.z)) + (near.a - 0.5) * 0.25;
-    bool side = steep > n.y * 1.15;
-    bool fromX = abs(n.x) > abs(n.z) + (near.b - 0.5) * 0.3;
+    float steep = max(abs(n.x), abs(n.z)) + (near.a - 0.5) * 0.25 - n.y * 1.15;
+    float turned = abs(n.x) - abs(n.z) + (near.b - 0.5) * 0.3;
+    vec3 facing = quadShared(vec3(steep, turned, 0.0));
+    bool side = facing.x > 0.0;
+    bool fromX = facing.y > 0.0;
     vec3 world = vec3(metres.x, place.z, metres.y);
-    vec3 dx = dFdx(world);
-    vec3 dy = dFdy(world);
     vec2 plane = side ? (fromX ? vec2(world.z, -world.y) : vec2(world.x, -world.y)) : world.xz;
     vec3 axisU = side && fromX ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
     vec3 axisV = side ? vec3(0.0, -1.0, 0.0) : vec3(0.0, 0.0, 1.0);
 
 
-    // Mips between what the longer and the shorter side of a pixel ask for: sharp enough where the ground runs away.
-    float longer = max(dot(dx, dx), dot(dy, dy));
-    float shorter = max(min(dot(dx, dx), dot(dy, dy)), longer * 0.02);
-    float lod = 0.25 * log2(longer * shorter);
-    float tiling = clamp(0.22 + (far.a - 0.5) * 0.6 + clamp(lod * 0.12 + 0.6, 0.0, 0.45), 0.0, 0.8);
-    Cover a = cover(first, plane, axisU, axisV, tiling, lod);
-    Cover b = cover(second, plane, axisU, axisV, tiling, lod);
+    float away = log2(length(dFdx(metres)) + length(dFdy(metres))); // of metres a pixel
+    float tiling = clamp(0.22 + (far.a - 0.5) * 0.6 + clamp(away * 0.12 + 0.5, 0.0, 0.45), 0.0, 0.8);
+    Cover a = cover(choice.first, plane, axisU, axisV, tiling);
+    Cover b = cover(choice.second, plane, axisU, axisV, tiling);
 
     // The higher texel wins inside the transition.
-    float share = secondShare / max(firstShare + secondShare, 1e-4);
+    float share = choice.secondShare / max(choice.firstShare + choice.secondShare, 1e-4);
     float lift = a.height * (1.0 - share) - b.height * share;
     share = clamp((share * 2.0 - 1.0 - lift * 0.8) * 1.8 * 0.5 + 0.5, 0.0, 1.0) * step(1e-3, share);
 

@@ -7,9 +7,10 @@
 #define LIGHT_BINDING 1
 #define TERRAIN_BINDING 2
 #define PASS_BINDING 3
+#define SKY_LIGHT_BINDING 4
 
 // Storage blocks
-#define SKY_LIGHT_BINDING 0
+#define SKY_LIGHT_STORAGE_BINDING 0 // the same buffer while it is written
 
 // Texture units. A pass either draws materials, or the ground, or reads the GBuffer: the first five are shared.
 #define BASE_COLOUR_UNIT 0

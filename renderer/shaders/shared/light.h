@@ -20,7 +20,7 @@ struct Light {
     float shadowBias;   float shadowTexel;    // texels; 1 / resolution
     vec3 fogTint;       float fogDensity;     // at the eye's height, per m; 0: no fog
     float fogHeight;    float cloudAltitude;  // scale height, m; m above the eye
-    float cloudCoverage; float cloudSoftness;
+    float cloudEdge;    float cloudWidth;     // value of the field where clouds begin, and range over which they thicken
     vec2 cloudOrigin;   vec2 cloudWind;       // eye in the tiling cloud field, m; unit
     vec3 sunAtClouds;   float unused;         // irradiance at the height of the clouds
     Atmosphere atmosphere;

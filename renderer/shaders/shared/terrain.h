@@ -22,7 +22,7 @@ struct TerrainLayer {
     vec4 slopeRamps;                     // rise: factor, offset; fall: factor, offset; of degrees
     vec4 altitudeRamps;                  // the same, of m
     vec2 ragged;      float roughness; float colourLayer; // how far noise moves the borders, degrees and m; -1: no texture
-    float normalLayer; float lodOffset; float unused0; float unused1; // mips: log2 of texels per m
+    float normalLayer; float unused0; float unused1; float unused2;
 };
 SHARED_STRUCT_END(TerrainLayer, 80)
 

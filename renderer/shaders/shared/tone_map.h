@@ -39,8 +39,8 @@ SHARED_FUNCTION vec3 toneMapAgx(vec3 c)
     v = vec3(agxCurve(v.x), agxCurve(v.y), agxCurve(v.z));
     // "Punchy" look, eased: the plain curve is made for grading afterwards.
     float grey = luminance(v);
-    v = pow(max(v, vec3(0.0f)), vec3(1.12f));
-    v = max(vec3(grey) + (v - vec3(grey)) * 1.2f, vec3(0.0f));
+    v = pow(max(v, vec3(0.0f)), vec3(1.18f));
+    v = max(vec3(grey) + (v - vec3(grey)) * 1.38f, vec3(0.0f));
     v = outset * v;
     return pow(clamp(v, vec3(0.0f), vec3(1.0f)), vec3(2.2f));
 }
