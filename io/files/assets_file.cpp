@@ -41,7 +41,8 @@ bool runAll(std::vector<Job>& jobs, const Progress& progress)
         }
     };
     std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < std::min<std::size_t>(jobs.size(), std::max(1u, std::thread::hardware_concurrency())); ++i)
+    for (std::size_t i = 0; i < std::min<std::size_t>(jobs.size(), std::max(1u, std::thread::hardware_concurrency()));
+         ++i)
         threads.emplace_back(work);
 
     std::size_t told = 0;
@@ -89,14 +90,15 @@ void addModelJobs(const World& world, Assets& assets, std::vector<Job>& jobs)
     for (auto& [file, users] : usersOf) {
         if (file.empty()) {
             for (const std::size_t i : users)
-                assets.models[i] = slots[i].value ? box(slots[i].value->markerSize, kMarkerColour) : box(glm::vec3{1}, kMissingColour);
+                assets.models[i] =
+                    slots[i].value ? box(slots[i].value->markerSize, kMarkerColour) : box(glm::vec3{1}, kMissingColour);
             continue;
         }
         jobs.push_back({file, [&world, &assets, users](Complaints& complaints) {
-            const auto model = readTemplateModel(world, TemplateId(users.front() + 1), complaints);
-            for (const std::size_t i : users)
-                assets.models[i] = model;
-        }});
+                            const auto model = readTemplateModel(world, TemplateId(users.front() + 1), complaints);
+                            for (const std::size_t i : users)
+                                assets.models[i] = model;
+                        }});
     }
 }
 
@@ -112,13 +114,14 @@ void addImageJobs(const World& world, Assets& assets, std::vector<Job>& jobs)
     }
     for (const auto& [file, users] : usersOf) {
         jobs.push_back({file, [&world, where, file, users](Complaints& complaints) {
-            const Result<std::filesystem::path> path = insideFolder(world.project.folder, file);
-            Result<Image> image = path ? readImage(*path) : Result<Image>{path.error()};
-            if (!image) return complaints.push_back(complaintOf(where, "terrain.layers", image.error()));
-            const auto shared = std::make_shared<const Image>(std::move(*image));
-            for (auto* user : users)
-                *user = shared;
-        }});
+                            const Result<std::filesystem::path> path = insideFolder(world.project.folder, file);
+                            Result<Image> image = path ? readImage(*path) : Result<Image>{path.error()};
+                            if (!image)
+                                return complaints.push_back(complaintOf(where, "terrain.layers", image.error()));
+                            const auto shared = std::make_shared<const Image>(std::move(*image));
+                            for (auto* user : users)
+                                *user = shared;
+                        }});
     }
 }
 
@@ -127,12 +130,16 @@ void addHeightJob(const World& world, Assets& assets, std::vector<Job>& jobs)
     const Terrain& terrain = world.scene.terrain();
     if (terrain.heightMap.empty()) return;
     jobs.push_back({terrain.heightMap, [&world, &assets, &terrain](Complaints& complaints) {
-        const Result<std::filesystem::path> path = insideFolder(world.project.folder, terrain.heightMap);
-        Result<HeightMap> heights = path ? readHeightMap(*path, terrain, complaints) : Result<HeightMap>{path.error()};
-        const std::string where = (world.project.folder / world.entry.file).string();
-        if (heights) assets.heights = std::make_shared<const HeightMap>(std::move(*heights));
-        else complaints.push_back(complaintOf(where, "terrain.height_map", heights.error()));
-    }});
+                        const Result<std::filesystem::path> path =
+                            insideFolder(world.project.folder, terrain.heightMap);
+                        Result<HeightMap> heights =
+                            path ? readHeightMap(*path, terrain, complaints) : Result<HeightMap>{path.error()};
+                        const std::string where = (world.project.folder / world.entry.file).string();
+                        if (heights)
+                            assets.heights = std::make_shared<const HeightMap>(std::move(*heights));
+                        else
+                            complaints.push_back(complaintOf(where, "terrain.height_map", heights.error()));
+                    }});
 }
 
 } // namespace
@@ -167,7 +174,9 @@ Complaints checkProject(const std::filesystem::path& project)
     Complaints complaints;
     const auto keep = [&](const Complaints& found) { // scenes share templates: each fault is named once
         for (const Complaint& complaint : found) {
-            const auto same = [&](const Complaint& known) { return known.where == complaint.where && known.what == complaint.what; };
+            const auto same = [&](const Complaint& known) {
+                return known.where == complaint.where && known.what == complaint.what;
+            };
             if (std::none_of(complaints.begin(), complaints.end(), same)) complaints.push_back(complaint);
         }
     };

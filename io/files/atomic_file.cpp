@@ -116,7 +116,8 @@ Status finishRecord(const fs::path& folder)
     const Result<Value> value = parseJson(*text, record.string());
     if (!value) return value.error();
     const Value* renames = value->find("renames");
-    if (!renames || !renames->asArray()) return Error{record.string(), "a damaged record of an unfinished save; remove it"};
+    if (!renames || !renames->asArray())
+        return Error{record.string(), "a damaged record of an unfinished save; remove it"};
 
     std::vector<Step> steps;
     for (const Value& rename : *renames->asArray()) {
@@ -258,8 +259,8 @@ Result<std::string> readFile(const fs::path& file, std::uint64_t limit)
         if (::fstat(descriptor, &about) != 0) return disk::fault(file, "cannot be read");
         if (!S_ISREG(about.st_mode)) return Error{file.string(), "is not a regular file"};
         if (std::uint64_t(about.st_size) > limit)
-            return Error{file.string(), "is too large: " + std::to_string(about.st_size) + " bytes, at most " +
-                                            std::to_string(limit)};
+            return Error{file.string(),
+                         "is too large: " + std::to_string(about.st_size) + " bytes, at most " + std::to_string(limit)};
         return readAll(descriptor, file, std::uint64_t(about.st_size));
     }();
     ::close(descriptor);

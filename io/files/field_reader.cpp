@@ -35,13 +35,17 @@ double number(JsonValue& value)
 Value atom(JsonValue value)
 {
     switch (value.type()) {
-    case json_type::number: return number(value);
-    case json_type::string: return std::string_view{value.get_string()};
-    case json_type::boolean: return bool{value.get_bool()};
+    case json_type::number:
+        return number(value);
+    case json_type::string:
+        return std::string_view{value.get_string()};
+    case json_type::boolean:
+        return bool{value.get_bool()};
     case json_type::null:
         if (!bool(value.is_null())) throw simdjson::simdjson_error{simdjson::N_ATOM_ERROR};
         return {};
-    default: return {};
+    default:
+        return {};
     }
 }
 
@@ -68,7 +72,8 @@ void Source::complain(Severity severity, const char* at, std::string what)
 void Source::finish()
 {
     if (m_count > kMostComplaints)
-        m_complaints.push_back({Severity::Warning, m_name, std::to_string(m_count - kMostComplaints) + " more like these"});
+        m_complaints.push_back(
+            {Severity::Warning, m_name, std::to_string(m_count - kMostComplaints) + " more like these"});
 }
 
 bool isObject(JsonValue& value)
@@ -121,7 +126,8 @@ Status readRoot(Source& source, const std::function<void(JsonObject)>& read)
             return syntaxError(source, "the file must hold one object in braces");
         read(root);
         const char* rest = nullptr;
-        if (document.current_location().get(rest) == simdjson::SUCCESS) return syntaxError(source, "more text follows the end of the object");
+        if (document.current_location().get(rest) == simdjson::SUCCESS)
+            return syntaxError(source, "more text follows the end of the object");
     } catch (const simdjson::simdjson_error& error) {
         return syntaxError(source, error.what());
     }

@@ -62,8 +62,8 @@ Status readRoot(Source& source, const std::function<void(JsonObject)>& read);
 bool isObject(JsonValue& value);
 bool isArray(JsonValue& value);
 const char* startOf(JsonValue& value);
-std::string rawText(JsonValue value);  // compact, checked to be JSON
-Value atomOrList(JsonValue value);     // a list of atoms at most; anything deeper shows as null
+std::string rawText(JsonValue value); // compact, checked to be JSON
+Value atomOrList(JsonValue value);    // a list of atoms at most; anything deeper shows as null
 
 // ---- reading by type ------------------------------------------------------------------------------------------
 
@@ -73,15 +73,17 @@ struct Unknown {
     std::string prefix;
 };
 
-template <class T>
-Extra* extraOf(T& thing)
+template <class T> Extra* extraOf(T& thing)
 {
-    if constexpr (requires { thing.extra; }) return &thing.extra;
-    else return nullptr;
+    if constexpr (requires { thing.extra; })
+        return &thing.extra;
+    else
+        return nullptr;
 }
 
 template <class T>
-void readValue(T& target, JsonValue value, const Hint& hint, const Place& place, const Unknown& unknown, Source& source);
+void readValue(T& target, JsonValue value, const Hint& hint, const Place& place, const Unknown& unknown,
+               Source& source);
 
 // Visits the fields of a section and reads the one whose key is there.
 struct KeyReader {
@@ -93,8 +95,7 @@ struct KeyReader {
     int index = 0; // of the field among those of its section
     int found = -1;
 
-    template <class T>
-    void operator()(const char* name, T& target, const Hint& hint)
+    template <class T> void operator()(const char* name, T& target, const Hint& hint)
     {
         if (found < 0 && key == name) {
             found = index;
@@ -106,8 +107,7 @@ struct KeyReader {
     std::uint64_t* seen = nullptr;
 
 private:
-    template <class T>
-    void readField(T& target, const Hint& hint)
+    template <class T> void readField(T& target, const Hint& hint)
     {
         const std::uint64_t bit = std::uint64_t{1} << index;
         if (*seen & bit)
@@ -142,7 +142,8 @@ template <class T>
 void readThing(T& target, JsonValue value, const Place& place, const Unknown& unknown, Source& source)
 {
     if (!isObject(value))
-        return source.complain(Severity::Error, startOf(value), place, expected("an object in braces", atomOrList(value)));
+        return source.complain(Severity::Error, startOf(value), place,
+                               expected("an object in braces", atomOrList(value)));
     Extra* own = extraOf(target);
     const Unknown inside = own ? Unknown{own, {}} : unknown;
     readSection(target, value.get_object(), &place, inside, source, [](auto&&...) { return false; });
@@ -152,7 +153,8 @@ template <class T>
 void readList(T& target, JsonValue value, const Hint& hint, const Place& place, const Unknown& unknown, Source& source)
 {
     if (!isArray(value))
-        return source.complain(Severity::Error, startOf(value), place, expected("a list in brackets", atomOrList(value)));
+        return source.complain(Severity::Error, startOf(value), place,
+                               expected("a list in brackets", atomOrList(value)));
     target.clear();
     for (auto item : value.get_array()) {
         const int index = int(target.size());
@@ -161,8 +163,7 @@ void readList(T& target, JsonValue value, const Hint& hint, const Place& place, 
     }
 }
 
-template <class T>
-void readLeaf(T& target, JsonValue value, const Hint& hint, const Place& place, Source& source)
+template <class T> void readLeaf(T& target, JsonValue value, const Hint& hint, const Place& place, Source& source)
 {
     const char* at = startOf(value);
     const Value read = atomOrList(value);
@@ -180,7 +181,8 @@ void readValue(T& target, JsonValue value, const Hint& hint, const Place& place,
         const char* at = startOf(value);
         if (const FieldFault fault = fromValue(name, atomOrList(value), hint, Reading::File))
             source.complain(Severity::Error, at, place, *fault);
-        else target = source.templateNamed(name, at);
+        else
+            target = source.templateNamed(name, at);
     } else if constexpr (Section<T>) {
         readThing(target, value, place, unknown, source);
     } else if constexpr (List<T>) {

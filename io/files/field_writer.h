@@ -11,28 +11,31 @@
 
 namespace io {
 
-template <class T>
-void appendLeaf(std::string& out, const T& value)
+template <class T> void appendLeaf(std::string& out, const T& value)
 {
-    if constexpr (std::is_same_v<T, bool>) out += value ? "true" : "false";
-    else if constexpr (std::is_same_v<T, std::string>) appendString(out, value);
-    else if constexpr (NamedEnum<T>) appendString(out, enumNames(value)[std::size_t(value)]);
-    else if constexpr (std::is_same_v<T, float>) appendNumber(out, value);
+    if constexpr (std::is_same_v<T, bool>)
+        out += value ? "true" : "false";
+    else if constexpr (std::is_same_v<T, std::string>)
+        appendString(out, value);
+    else if constexpr (NamedEnum<T>)
+        appendString(out, enumNames(value)[std::size_t(value)]);
+    else if constexpr (std::is_same_v<T, float>)
+        appendNumber(out, value);
     else if constexpr (GlmVector<T>) {
         for (int i = 0; i < VectorTraits<T>::kSize; ++i) {
             out += i == 0 ? "[" : ",";
             appendLeaf(out, value[i]);
         }
         out += ']';
-    } else appendNumber(out, double(value));
+    } else
+        appendNumber(out, double(value));
 }
 
 // Whether a section is short enough for one line inside a list: few fields, none of them a section or a list.
 struct Shortness {
     int fields = 0;
     bool flat = true;
-    template <class T>
-    void operator()(const char*, const T&, const Hint&)
+    template <class T> void operator()(const char*, const T&, const Hint&)
     {
         ++fields;
         flat = flat && !Section<const T> && !List<T>;
@@ -47,14 +50,12 @@ public:
     {
     }
 
-    template <class T>
-    void operator()(std::string_view key, const T& value, const Hint&)
+    template <class T> void operator()(std::string_view key, const T& value, const Hint&)
     {
         name(key);
         write(value, m_depth, m_extra, m_prefix + escapedKey(key) + ".");
     }
-    template <class T>
-    void section(const T& value)
+    template <class T> void section(const T& value)
     {
         m_out += '{';
         fields(*this, value);
@@ -91,14 +92,15 @@ private:
         out += '\n';
         out.append(std::size_t(depth) * 2, ' ');
     }
-    template <class T>
-    void write(const T& value, int depth, const Extra* extra, const std::string& prefix)
+    template <class T> void write(const T& value, int depth, const Extra* extra, const std::string& prefix)
     {
         if constexpr (List<T>) {
             writeList(value, depth + 1, extra, prefix);
         } else if constexpr (Section<const T>) {
-            if constexpr (requires { value.extra; }) FieldWriter{m_out, inner(depth), &value.extra}.section(value);
-            else FieldWriter{m_out, inner(depth), extra, prefix}.section(value);
+            if constexpr (requires { value.extra; })
+                FieldWriter{m_out, inner(depth), &value.extra}.section(value);
+            else
+                FieldWriter{m_out, inner(depth), extra, prefix}.section(value);
         } else {
             appendLeaf(m_out, value);
         }
@@ -117,8 +119,7 @@ private:
         if (!list.empty()) breakLine(m_out, depth);
         m_out += ']';
     }
-    template <class T>
-    static bool fitsLine(const T& item)
+    template <class T> static bool fitsLine(const T& item)
     {
         if constexpr (Section<const T>) {
             Shortness shortness;

@@ -11,21 +11,19 @@ namespace io {
 constexpr int kFileVersion = 1;
 
 // Every file is one object that begins with its format and version.
-template <class Body>
-struct Headed {
+template <class Body> struct Headed {
     std::string format;
     int version = 0;
     Body body;
 };
 
-template <class T>
-struct IsHeaded : std::false_type {};
-template <class Body>
-struct IsHeaded<Headed<Body>> : std::true_type {};
+template <class T> struct IsHeaded : std::false_type {
+};
+template <class Body> struct IsHeaded<Headed<Body>> : std::true_type {
+};
 
 template <class T>
-    requires IsHeaded<std::remove_const_t<T>>::value
-void fields(auto& v, T& file)
+requires IsHeaded<std::remove_const_t<T>>::value void fields(auto& v, T& file)
 {
     v("format", file.format, Hint{});
     v("version", file.version, Hint{.min = 0});

@@ -17,8 +17,7 @@ constexpr int kUnsignedInt = 5125;
 constexpr int kVertexData = 34962; // ARRAY_BUFFER
 constexpr int kIndexData = 34963;  // ELEMENT_ARRAY_BUFFER
 
-template <class V>
-Value numbers(const V& vector)
+template <class V> Value numbers(const V& vector)
 {
     Value::Array result;
     for (int i = 0; i < vector.length(); ++i)
@@ -35,7 +34,8 @@ struct Buffer {
     int addView(const void* data, std::size_t size, int target)
     {
         bytes.resize((bytes.size() + 3) & ~std::size_t{3});
-        Value::Object view{{"buffer", 0}, {"byteOffset", std::uint64_t(bytes.size())}, {"byteLength", std::uint64_t(size)}};
+        Value::Object view{
+            {"buffer", 0}, {"byteOffset", std::uint64_t(bytes.size())}, {"byteLength", std::uint64_t(size)}};
         if (target != 0) view.emplace_back("target", target);
         bytes.append(static_cast<const char*>(data), size);
         views.push_back(std::move(view));
@@ -48,8 +48,7 @@ struct Buffer {
         accessors.push_back(std::move(accessor));
         return int(accessors.size()) - 1;
     }
-    template <class T, class Get>
-    int addVertices(const Model& model, Get get, int component, const char* type)
+    template <class T, class Get> int addVertices(const Model& model, Get get, int component, const char* type)
     {
         std::vector<T> values;
         values.reserve(model.vertices.size());
@@ -69,24 +68,30 @@ Value attributes(const Model& model, Buffer& buffer)
 {
     Value::Object result;
     const auto add = [&](const char* name, int accessor) { result.emplace_back(name, accessor); };
-    add("POSITION", buffer.addVertices<glm::vec3>(model, [](const Vertex& v) { return v.position; }, kFloat, "VEC3"));
+    add("POSITION", buffer.addVertices<glm::vec3>(
+                        model, [](const Vertex& v) { return v.position; }, kFloat, "VEC3"));
     Box bounds;
     for (const Vertex& vertex : model.vertices)
         bounds.add(vertex.position);
     buffer.accessors.back()["min"] = numbers(bounds.min);
     buffer.accessors.back()["max"] = numbers(bounds.max);
-    add("NORMAL", buffer.addVertices<glm::vec3>(model, [](const Vertex& v) { return v.normal; }, kFloat, "VEC3"));
+    add("NORMAL", buffer.addVertices<glm::vec3>(
+                      model, [](const Vertex& v) { return v.normal; }, kFloat, "VEC3"));
     const bool bumpy = std::any_of(model.materials.begin(), model.materials.end(),
                                    [](const Material& m) { return m.normalTexture.image >= 0; });
     if (bumpy)
-        add("TANGENT", buffer.addVertices<glm::vec4>(model, [](const Vertex& v) { return v.tangent; }, kFloat, "VEC4"));
+        add("TANGENT", buffer.addVertices<glm::vec4>(
+                           model, [](const Vertex& v) { return v.tangent; }, kFloat, "VEC4"));
     const bool second = any(model, [](const Vertex& v) { return v.uv1 != glm::vec2{0}; });
     if (second || any(model, [](const Vertex& v) { return v.uv0 != glm::vec2{0}; }))
-        add("TEXCOORD_0", buffer.addVertices<glm::vec2>(model, [](const Vertex& v) { return v.uv0; }, kFloat, "VEC2"));
+        add("TEXCOORD_0", buffer.addVertices<glm::vec2>(
+                              model, [](const Vertex& v) { return v.uv0; }, kFloat, "VEC2"));
     if (second)
-        add("TEXCOORD_1", buffer.addVertices<glm::vec2>(model, [](const Vertex& v) { return v.uv1; }, kFloat, "VEC2"));
+        add("TEXCOORD_1", buffer.addVertices<glm::vec2>(
+                              model, [](const Vertex& v) { return v.uv1; }, kFloat, "VEC2"));
     if (any(model, [](const Vertex& v) { return v.colour != glm::u8vec4{255}; })) {
-        add("COLOR_0", buffer.addVertices<glm::u8vec4>(model, [](const Vertex& v) { return v.colour; }, kUnsignedByte, "VEC4"));
+        add("COLOR_0", buffer.addVertices<glm::u8vec4>(
+                           model, [](const Vertex& v) { return v.colour; }, kUnsignedByte, "VEC4"));
         buffer.accessors.back()["normalized"] = true;
     }
     return result;
@@ -97,8 +102,8 @@ Value primitives(const Model& model, Buffer& buffer)
 {
     const Value vertexAccessors = attributes(model, buffer);
     const bool narrow = model.vertices.size() < 65535; // 65535 itself means "restart" to some readers
-    const std::vector<std::uint16_t> shorts = narrow ? std::vector<std::uint16_t>(model.indices.begin(), model.indices.end())
-                                                     : std::vector<std::uint16_t>{};
+    const std::vector<std::uint16_t> shorts =
+        narrow ? std::vector<std::uint16_t>(model.indices.begin(), model.indices.end()) : std::vector<std::uint16_t>{};
     const std::size_t size = narrow ? sizeof(std::uint16_t) : sizeof(std::uint32_t);
     const void* data = narrow ? static_cast<const void*>(shorts.data()) : model.indices.data();
     const int view = buffer.addView(data, model.indices.size() * size, kIndexData);
@@ -107,7 +112,8 @@ Value primitives(const Model& model, Buffer& buffer)
     for (const Part& part : model.parts) {
         const int indices = buffer.addAccessor(view, narrow ? kUnsignedShort : kUnsignedInt,
                                                std::uint64_t(part.firstIndex) * size, part.indexCount, "SCALAR");
-        result.push_back(Value::Object{{"attributes", vertexAccessors}, {"indices", indices}, {"material", part.material}});
+        result.push_back(
+            Value::Object{{"attributes", vertexAccessors}, {"indices", indices}, {"material", part.material}});
     }
     return result;
 }

@@ -13,8 +13,7 @@ std::string placeOf(int accessor)
     return "accessors[" + std::to_string(accessor) + "]";
 }
 
-template <class T>
-T load(const unsigned char* data)
+template <class T> T load(const unsigned char* data)
 {
     T value;
     std::memcpy(&value, data, sizeof value);
@@ -25,9 +24,12 @@ T load(const unsigned char* data)
 float component(const unsigned char* data, int type, bool normalized)
 {
     switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_FLOAT: return load<float>(data);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return float(*data) / (normalized ? 255.0f : 1.0f);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return float(load<std::uint16_t>(data)) / (normalized ? 65535.0f : 1.0f);
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+        return load<float>(data);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return float(*data) / (normalized ? 255.0f : 1.0f);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return float(load<std::uint16_t>(data)) / (normalized ? 65535.0f : 1.0f);
     case TINYGLTF_COMPONENT_TYPE_BYTE: {
         const auto value = float(load<std::int8_t>(data));
         return normalized ? std::max(value / 127.0f, -1.0f) : value;
@@ -36,7 +38,8 @@ float component(const unsigned char* data, int type, bool normalized)
         const auto value = float(load<std::int16_t>(data));
         return normalized ? std::max(value / 32767.0f, -1.0f) : value;
     }
-    default: return float(load<std::uint32_t>(data));
+    default:
+        return float(load<std::uint32_t>(data));
     }
 }
 
@@ -44,33 +47,46 @@ std::size_t componentSize(int type, const std::string& place)
 {
     switch (type) {
     case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return 1;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return 1;
     case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return 2;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return 2;
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    case TINYGLTF_COMPONENT_TYPE_FLOAT: return 4;
-    default: throw Refused{place + ": componentType " + std::to_string(type) + " is unknown"};
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+        return 4;
+    default:
+        throw Refused{place + ": componentType " + std::to_string(type) + " is unknown"};
     }
 }
 
 int componentsOf(int type, const std::string& place)
 {
     switch (type) {
-    case TINYGLTF_TYPE_SCALAR: return 1;
-    case TINYGLTF_TYPE_VEC2: return 2;
-    case TINYGLTF_TYPE_VEC3: return 3;
-    case TINYGLTF_TYPE_VEC4: return 4;
-    default: throw Refused{place + ": its type does not fit its use"};
+    case TINYGLTF_TYPE_SCALAR:
+        return 1;
+    case TINYGLTF_TYPE_VEC2:
+        return 2;
+    case TINYGLTF_TYPE_VEC3:
+        return 3;
+    case TINYGLTF_TYPE_VEC4:
+        return 4;
+    default:
+        throw Refused{place + ": its type does not fit its use"};
     }
 }
 
 std::uint32_t index(const unsigned char* data, int type, const std::string& place)
 {
     switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return *data;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return load<std::uint16_t>(data);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return load<std::uint32_t>(data);
-    default: throw Refused{place + ": indices must be unsigned integers"};
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return *data;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return load<std::uint16_t>(data);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        return load<std::uint32_t>(data);
+    default:
+        throw Refused{place + ": indices must be unsigned integers"};
     }
 }
 
@@ -86,14 +102,15 @@ const tinygltf::Accessor& Accessors::at(int accessor) const
 std::size_t Accessors::count(int accessor) const
 {
     const std::size_t count = at(accessor).count;
-    if (count < 1 || count > kMostElements) throw Refused{placeOf(accessor) + ": count " + std::to_string(count) + " is no possible size"};
+    if (count < 1 || count > kMostElements)
+        throw Refused{placeOf(accessor) + ": count " + std::to_string(count) + " is no possible size"};
     return count;
 }
 
 // (count - 1) * stride + offset + size must end inside the view, and the view inside its buffer; all below 2^31, so
 // that no sum wraps in 64 bits.
-Accessors::Range Accessors::range(int view, std::size_t offset, std::size_t count, std::size_t elementSize, bool strided,
-                                  const std::string& place) const
+Accessors::Range Accessors::range(int view, std::size_t offset, std::size_t count, std::size_t elementSize,
+                                  bool strided, const std::string& place) const
 {
     if (view < 0 || std::size_t(view) >= m_model.bufferViews.size())
         throw Refused{place + ": there is no bufferView " + std::to_string(view)};
@@ -104,8 +121,10 @@ Accessors::Range Accessors::range(int view, std::size_t offset, std::size_t coun
     if (found.byteOffset > bytes.size() || found.byteLength > bytes.size() - found.byteOffset)
         throw Refused{"bufferViews[" + std::to_string(view) + "]: reaches past the end of its buffer"};
     const std::size_t stride = strided && found.byteStride != 0 ? found.byteStride : elementSize;
-    if (stride < elementSize || stride > 252) throw Refused{place + ": stride " + std::to_string(stride) + " is not possible"};
-    if (count > kMostElements || offset > found.byteLength || (count - 1) * stride + elementSize > found.byteLength - offset)
+    if (stride < elementSize || stride > 252)
+        throw Refused{place + ": stride " + std::to_string(stride) + " is not possible"};
+    if (count > kMostElements || offset > found.byteLength ||
+        (count - 1) * stride + elementSize > found.byteLength - offset)
         throw Refused{place + ": reaches past the end of its bufferView"};
     return {reinterpret_cast<const unsigned char*>(bytes.data()) + found.byteOffset + offset, stride};
 }
@@ -132,10 +151,12 @@ Rows Accessors::read(int accessor) const
 
     Rows rows(count(accessor), glm::vec4{0});
     if (source.bufferView >= 0) {
-        const Range data = range(source.bufferView, source.byteOffset, rows.size(), size * std::size_t(components), true, place);
+        const Range data =
+            range(source.bufferView, source.byteOffset, rows.size(), size * std::size_t(components), true, place);
         for (std::size_t i = 0; i < rows.size(); ++i)
             for (int c = 0; c < components; ++c)
-                rows[i][c] = component(data.data + i * data.stride + std::size_t(c) * size, source.componentType, source.normalized);
+                rows[i][c] = component(data.data + i * data.stride + std::size_t(c) * size, source.componentType,
+                                       source.normalized);
     } else if (!source.sparse.isSparse && rows.size() > 1'000'000) {
         throw Refused{place + ": has no data"}; // zeros by the specification, but never so many in earnest
     }
@@ -146,20 +167,23 @@ Rows Accessors::read(int accessor) const
 void Accessors::replaceSparse(const tinygltf::Accessor& accessor, const std::string& place, Rows& rows) const
 {
     const auto& sparse = accessor.sparse;
-    if (sparse.count < 1 || std::size_t(sparse.count) > rows.size() || sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
+    if (sparse.count < 1 || std::size_t(sparse.count) > rows.size() || sparse.indices.byteOffset < 0 ||
+        sparse.values.byteOffset < 0)
         throw Refused{place + ".sparse: count " + std::to_string(sparse.count) + " is not possible"};
     const auto count = std::size_t(sparse.count);
     const std::size_t size = componentSize(accessor.componentType, place);
     const int components = componentsOf(accessor.type, place);
     const std::size_t indexSize = componentSize(sparse.indices.componentType, place + ".sparse");
-    const Range indices = range(sparse.indices.bufferView, std::size_t(sparse.indices.byteOffset), count, indexSize, false, place + ".sparse");
-    const Range values = range(sparse.values.bufferView, std::size_t(sparse.values.byteOffset), count, size * std::size_t(components), false,
-                               place + ".sparse");
+    const Range indices = range(sparse.indices.bufferView, std::size_t(sparse.indices.byteOffset), count, indexSize,
+                                false, place + ".sparse");
+    const Range values = range(sparse.values.bufferView, std::size_t(sparse.values.byteOffset), count,
+                               size * std::size_t(components), false, place + ".sparse");
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t row = index(indices.data + i * indexSize, sparse.indices.componentType, place + ".sparse");
         if (row >= rows.size()) throw Refused{place + ".sparse: index " + std::to_string(row) + " is past the end"};
         for (int c = 0; c < components; ++c)
-            rows[row][c] = component(values.data + i * values.stride + std::size_t(c) * size, accessor.componentType, accessor.normalized);
+            rows[row][c] = component(values.data + i * values.stride + std::size_t(c) * size, accessor.componentType,
+                                     accessor.normalized);
     }
 }
 

@@ -16,8 +16,8 @@ using Rows = std::vector<glm::vec4>;
 
 // What a reader asks of an accessor.
 struct Wanted {
-    std::vector<int> types;      // TINYGLTF_TYPE_…
-    bool onlyFloat = false;      // no quantized components
+    std::vector<int> types; // TINYGLTF_TYPE_…
+    bool onlyFloat = false; // no quantized components
 };
 
 class Accessors {
@@ -34,7 +34,8 @@ private:
         std::size_t stride = 0;
     };
     const tinygltf::Accessor& at(int accessor) const;
-    Range range(int view, std::size_t offset, std::size_t count, std::size_t elementSize, bool strided, const std::string& place) const;
+    Range range(int view, std::size_t offset, std::size_t count, std::size_t elementSize, bool strided,
+                const std::string& place) const;
     Rows read(int accessor) const;
     void replaceSparse(const tinygltf::Accessor& accessor, const std::string& place, Rows& rows) const;
 

@@ -18,8 +18,7 @@ float factor(double value, double low, double high, double usual)
 }
 
 // An extension's list of numbers, when it is one.
-template <int N>
-std::optional<glm::vec<N, float>> vector(const tinygltf::Value& object, const char* key)
+template <int N> std::optional<glm::vec<N, float>> vector(const tinygltf::Value& object, const char* key)
 {
     if (!object.Has(key)) return std::nullopt;
     const tinygltf::Value& list = object.Get(key);
@@ -74,7 +73,8 @@ int Materials::use(int material)
     if (place < 0) {
         place = int(list.size());
         list.push_back(material < 0 ? Material{}
-                                    : read(m_model.materials[std::size_t(material)], "materials[" + std::to_string(material) + "]"));
+                                    : read(m_model.materials[std::size_t(material)],
+                                           "materials[" + std::to_string(material) + "]"));
     }
     return place;
 }
@@ -96,8 +96,10 @@ Material Materials::read(const tinygltf::Material& source, const std::string& pl
     result.alphaCutoff = factor(source.alphaCutoff, 0, 1, 0.5);
     result.doubleSided = source.doubleSided;
     result.unlit = source.extensions.contains("KHR_materials_unlit");
-    if (source.alphaMode == "MASK") result.alphaMode = AlphaMode::Mask;
-    else if (source.alphaMode == "BLEND") result.alphaMode = AlphaMode::Blend;
+    if (source.alphaMode == "MASK")
+        result.alphaMode = AlphaMode::Mask;
+    else if (source.alphaMode == "BLEND")
+        result.alphaMode = AlphaMode::Blend;
     else if (source.alphaMode != "OPAQUE" && !source.alphaMode.empty())
         m_notes.warn(place + ".alphaMode: unknown; taken as OPAQUE");
 
@@ -145,8 +147,10 @@ int Materials::image(int source, const std::string& place)
     found = int(images.size());
     Result<Image> read = m_imageBytes > kMostImageBytes ? Result<Image>{Error{place, "its images are over 2 GiB"}}
                                                         : m_sources.readImage(std::size_t(source));
-    if (read) m_imageBytes += read->bytes.size();
-    else m_notes.warn(place + ": " + read.error().text());
+    if (read)
+        m_imageBytes += read->bytes.size();
+    else
+        m_notes.warn(place + ": " + read.error().text());
     images.push_back(read ? std::make_shared<const Image>(std::move(*read)) : nullptr);
     return found;
 }

@@ -21,9 +21,12 @@ Triangles unrolled(std::vector<std::uint32_t> indices, int mode)
     if (mode == TINYGLTF_MODE_TRIANGLES) return indices;
     Triangles result;
     for (std::size_t i = 2; i < indices.size(); ++i) {
-        if (mode == TINYGLTF_MODE_TRIANGLE_FAN) result.insert(result.end(), {indices[i - 1], indices[i], indices[0]});
-        else if (i % 2 == 0) result.insert(result.end(), {indices[i - 2], indices[i - 1], indices[i]});
-        else result.insert(result.end(), {indices[i - 1], indices[i - 2], indices[i]});
+        if (mode == TINYGLTF_MODE_TRIANGLE_FAN)
+            result.insert(result.end(), {indices[i - 1], indices[i], indices[0]});
+        else if (i % 2 == 0)
+            result.insert(result.end(), {indices[i - 2], indices[i - 1], indices[i]});
+        else
+            result.insert(result.end(), {indices[i - 1], indices[i - 2], indices[i]});
     }
     return result;
 }
@@ -79,7 +82,8 @@ private:
     std::optional<Primitive> read(const tinygltf::Primitive& source, const std::string& place)
     {
         const int mode = source.mode;
-        if (mode < 0 || mode > TINYGLTF_MODE_TRIANGLE_FAN) throw Refused{place + ".mode: " + std::to_string(mode) + " is unknown"};
+        if (mode < 0 || mode > TINYGLTF_MODE_TRIANGLE_FAN)
+            throw Refused{place + ".mode: " + std::to_string(mode) + " is unknown"};
         if (!source.attributes.contains("POSITION")) {
             m_notes.warn(place + ": has no positions; left out");
             return std::nullopt;
@@ -99,7 +103,8 @@ private:
     Triangles triangles(const tinygltf::Primitive& source, int mode, const Shape& shape, const std::string& place)
     {
         std::vector<std::uint32_t> indices;
-        if (source.indices >= 0) indices = m_accessors.indices(source.indices);
+        if (source.indices >= 0)
+            indices = m_accessors.indices(source.indices);
         else
             for (std::uint32_t i = 0; i < shape.vertices.size(); ++i)
                 indices.push_back(i);
@@ -112,7 +117,8 @@ private:
         for (std::size_t i = 0; i + 2 < all.size(); i += 3)
             if (!shape.bad[all[i]] && !shape.bad[all[i + 1]] && !shape.bad[all[i + 2]])
                 kept.insert(kept.end(), all.begin() + std::ptrdiff_t(i), all.begin() + std::ptrdiff_t(i) + 3);
-        if (kept.size() < all.size() / 3 * 3) m_notes.warn(place + ": triangles with infinite or far-off corners are left out");
+        if (kept.size() < all.size() / 3 * 3)
+            m_notes.warn(place + ": triangles with infinite or far-off corners are left out");
         return kept;
     }
     int shapeOf(const tinygltf::Primitive& source, const std::string& place)
@@ -138,16 +144,21 @@ private:
             const auto found = attributes.find(name);
             if (found == attributes.end()) return false;
             const Rows& rows = m_accessors.rows(found->second, {.types = types});
-            if (rows.size() != positions.size()) throw Refused{place + "." + name + ": differs from POSITION in its count"};
+            if (rows.size() != positions.size())
+                throw Refused{place + "." + name + ": differs from POSITION in its count"};
             const bool opaque = m_model.accessors[std::size_t(found->second)].type == TINYGLTF_TYPE_VEC3;
             for (std::size_t i = 0; i < rows.size(); ++i)
                 set(shape.vertices[i], opaque ? glm::vec4{glm::vec3{rows[i]}, 1} : rows[i]);
             return true;
         };
-        shape.normals = each("NORMAL", {TINYGLTF_TYPE_VEC3}, [](Vertex& v, const glm::vec4& row) { v.normal = glm::vec3{row}; });
-        shape.tangents = each("TANGENT", {TINYGLTF_TYPE_VEC4}, [](Vertex& v, const glm::vec4& row) { v.tangent = row; });
-        each("TEXCOORD_0", {TINYGLTF_TYPE_VEC2}, [](Vertex& v, const glm::vec4& row) { v.uv0 = finite(row) ? glm::vec2{row} : glm::vec2{0}; });
-        each("TEXCOORD_1", {TINYGLTF_TYPE_VEC2}, [](Vertex& v, const glm::vec4& row) { v.uv1 = finite(row) ? glm::vec2{row} : glm::vec2{0}; });
+        shape.normals =
+            each("NORMAL", {TINYGLTF_TYPE_VEC3}, [](Vertex& v, const glm::vec4& row) { v.normal = glm::vec3{row}; });
+        shape.tangents =
+            each("TANGENT", {TINYGLTF_TYPE_VEC4}, [](Vertex& v, const glm::vec4& row) { v.tangent = row; });
+        each("TEXCOORD_0", {TINYGLTF_TYPE_VEC2},
+             [](Vertex& v, const glm::vec4& row) { v.uv0 = finite(row) ? glm::vec2{row} : glm::vec2{0}; });
+        each("TEXCOORD_1", {TINYGLTF_TYPE_VEC2},
+             [](Vertex& v, const glm::vec4& row) { v.uv1 = finite(row) ? glm::vec2{row} : glm::vec2{0}; });
         each("COLOR_0", {TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4}, [](Vertex& v, const glm::vec4& row) {
             if (finite(row)) v.colour = glm::u8vec4{glm::round(glm::clamp(row, 0.0f, 1.0f) * 255.0f)};
         });
@@ -178,10 +189,12 @@ public:
         const bool mirrored = glm::determinant(glm::dmat3{modelFromMesh}) < 0;
         for (const Primitive& primitive : primitives) {
             const Shape& shape = m_shapes[std::size_t(primitive.shape)];
-            if (byMaterial.size() <= std::size_t(primitive.material)) byMaterial.resize(std::size_t(primitive.material) + 1);
+            if (byMaterial.size() <= std::size_t(primitive.material))
+                byMaterial.resize(std::size_t(primitive.material) + 1);
             Triangles& out = byMaterial[std::size_t(primitive.material)];
             if (shape.normals) {
-                const auto [first, isNew] = firstOf.try_emplace(primitive.shape, std::uint32_t(m_model.vertices.size()));
+                const auto [first, isNew] =
+                    firstOf.try_emplace(primitive.shape, std::uint32_t(m_model.vertices.size()));
                 if (isNew) addVertices(shape, modelFromMesh);
                 append(out, primitive.triangles, first->second, mirrored);
             } else { // flat: no two triangles share a corner
@@ -244,8 +257,10 @@ std::uint64_t bytesOf(const std::vector<Primitive>& primitives, const std::vecto
     for (const Primitive& primitive : primitives) {
         const Shape& shape = shapes[std::size_t(primitive.shape)];
         bytes += primitive.triangles.size() * sizeof(std::uint32_t);
-        if (!shape.normals) bytes += primitive.triangles.size() * sizeof(Vertex);
-        else if (counted.insert(primitive.shape).second) bytes += shape.vertices.size() * sizeof(Vertex);
+        if (!shape.normals)
+            bytes += primitive.triangles.size() * sizeof(Vertex);
+        else if (counted.insert(primitive.shape).second)
+            bytes += shape.vertices.size() * sizeof(Vertex);
     }
     return bytes;
 }
@@ -264,8 +279,8 @@ void addParts(Model& model, std::vector<Triangles> byMaterial)
 
 } // namespace
 
-void bake(const tinygltf::Model& source, const std::vector<PlacedMesh>& placed, Accessors& accessors, Materials& materials,
-          Notes& notes, Model& result)
+void bake(const tinygltf::Model& source, const std::vector<PlacedMesh>& placed, Accessors& accessors,
+          Materials& materials, Notes& notes, Model& result)
 {
     Reader reader{source, accessors, materials, notes};
     std::map<int, std::vector<Primitive>> meshes;

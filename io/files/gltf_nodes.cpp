@@ -84,7 +84,8 @@ std::vector<int> parents(const tinygltf::Model& model)
     std::vector<int> parent(model.nodes.size(), -1);
     for (int node = 0; node < count; ++node) {
         for (const int child : model.nodes[std::size_t(node)].children) {
-            if (child < 0 || child >= count) throw Refused{placeOf(node) + ": there is no node " + std::to_string(child)};
+            if (child < 0 || child >= count)
+                throw Refused{placeOf(node) + ": there is no node " + std::to_string(child)};
             if (parent[std::size_t(child)] >= 0) throw Refused{placeOf(child) + ": has two parents"};
             parent[std::size_t(child)] = node;
         }
@@ -152,11 +153,13 @@ std::vector<glm::dmat4> instances(const tinygltf::Value& attributes, int node, A
     std::size_t bad = 0;
     for (std::size_t i = 0; i < count.value_or(0); ++i) {
         const auto rotation = rotations ? unit((*rotations)[i]) : glm::dquat{1, 0, 0, 0};
-        const glm::dmat4 matrix = fromParts(translations ? glm::dvec3{(*translations)[i]} : glm::dvec3{0},
-                                            rotation.value_or(glm::dquat{1, 0, 0, 0}),
-                                            scales ? glm::dvec3{(*scales)[i]} : glm::dvec3{1});
-        if (rotation && sound(matrix)) result.push_back(matrix);
-        else ++bad;
+        const glm::dmat4 matrix =
+            fromParts(translations ? glm::dvec3{(*translations)[i]} : glm::dvec3{0},
+                      rotation.value_or(glm::dquat{1, 0, 0, 0}), scales ? glm::dvec3{(*scales)[i]} : glm::dvec3{1});
+        if (rotation && sound(matrix))
+            result.push_back(matrix);
+        else
+            ++bad;
     }
     if (bad > 0) notes.warn(placeOf(node) + ": " + std::to_string(bad) + " instances stand nowhere; left out");
     return result;
@@ -186,7 +189,8 @@ std::vector<PlacedMesh> placedMeshes(const tinygltf::Model& model, Accessors& ac
         const tinygltf::Node& node = model.nodes[std::size_t(visit.node)];
         glm::dmat4 modelFromNode = visit.modelFromParent * parentFromNode(node, visit.node, notes);
         if (!sound(modelFromNode)) throw Refused{placeOf(visit.node) + ": stands over 1e9 m away"};
-        if (node.mesh >= 0 && node.skin >= 0) notes.warn(placeOf(visit.node) + ": its skin is left out; shown as modelled");
+        if (node.mesh >= 0 && node.skin >= 0)
+            notes.warn(placeOf(visit.node) + ": its skin is left out; shown as modelled");
         if (const tinygltf::Value* attributes = node.mesh >= 0 ? instancing(node) : nullptr) {
             for (const glm::dmat4& nodeFromInstance : instances(*attributes, visit.node, accessors, notes))
                 placed.push_back({node.mesh, modelFromNode * nodeFromInstance});

@@ -45,7 +45,8 @@ Result<std::string> decodedBase64(std::string_view text)
 std::string shortened(const std::string& uri)
 {
     std::string shown = uri.size() <= 80 ? uri : uri.substr(0, 77) + "...";
-    std::replace_if(shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
+    std::replace_if(
+        shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
     return shown;
 }
 

@@ -103,9 +103,9 @@ void checkCompression(const Value& json)
     const Value* used = json.find("extensionsUsed");
     const Value* accessors = json.find("accessors");
     if (!used || !used->asArray() || !accessors || !accessors->asArray()) return;
-    const bool empty = std::any_of(accessors->asArray()->begin(), accessors->asArray()->end(), [](const Value& accessor) {
-        return !accessor.find("bufferView") && !accessor.find("sparse");
-    });
+    const bool empty =
+        std::any_of(accessors->asArray()->begin(), accessors->asArray()->end(),
+                    [](const Value& accessor) { return !accessor.find("bufferView") && !accessor.find("sparse"); });
     for (const Value& name : *used->asArray())
         if (empty && name == Value{"KHR_draco_mesh_compression"})
             throw Refused{"needs KHR_draco_mesh_compression, which Wold does not support; export it without"};

@@ -31,8 +31,8 @@ private:
 };
 
 struct Text {
-    Value json;               // an object; its extensions and sizes were checked
-    std::string_view binary;  // the BIN chunk of a GLB; empty when there is none
+    Value json;              // an object; its extensions and sizes were checked
+    std::string_view binary; // the BIN chunk of a GLB; empty when there is none
 };
 
 // Throws Refused: broken GLB or JSON, another version than 2, a required extension that Wold lacks, sizes that

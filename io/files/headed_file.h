@@ -12,19 +12,20 @@ inline Status checkHeader(const std::string& format, int version, const char* ex
 {
     const char* start = source.text().data();
     if (format.empty())
-        source.complain(Severity::Error, start, std::string{"format: missing; add \"format\": \""} + expectedFormat + '"');
+        source.complain(Severity::Error, start,
+                        std::string{"format: missing; add \"format\": \""} + expectedFormat + '"');
     else if (format != expectedFormat)
         return Error{source.whereIs(start), "format: \"" + format + "\" where \"" + expectedFormat + "\" was expected"};
     if (version < 1) source.complain(Severity::Error, start, "version: missing; add \"version\": 1");
     if (version > kFileVersion)
-        return Error{source.whereIs(start), "version: " + std::to_string(version) + " was written by a newer Wold; this one reads " +
-                                        std::to_string(kFileVersion) + ": update Wold"};
+        return Error{source.whereIs(start), "version: " + std::to_string(version) +
+                                                " was written by a newer Wold; this one reads " +
+                                                std::to_string(kFileVersion) + ": update Wold"};
     return {};
 }
 
 // Reads `text` as the file `name`; `other` may take keys of the root that are no fields.
-template <class Body, class Other>
-Result<Body> readHeaded(Source& source, const char* format, Other other)
+template <class Body, class Other> Result<Body> readHeaded(Source& source, const char* format, Other other)
 {
     Headed<Body> file;
     const Status parsed = readRoot(source, [&](JsonObject root) {
@@ -50,8 +51,7 @@ Result<Body> readHeadedText(std::string text, const std::string& name, const cha
     return body;
 }
 
-template <class Body>
-std::string headedText(const Body& body, const char* format)
+template <class Body> std::string headedText(const Body& body, const char* format)
 {
     std::string out;
     FieldWriter writer{out, 0, &body.extra};

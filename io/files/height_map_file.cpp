@@ -18,11 +18,11 @@ constexpr int kSmoothings = 32;
 bool isVoid(float metres)
 {
     // -32768 and -9999 are the marks of SRTM and of Esri's grids, -32767 that of many GeoTIFFs.
-    return !std::isfinite(metres) || std::abs(metres) > kHighest || metres == -32768 || metres == -32767 || metres == -9999;
+    return !std::isfinite(metres) || std::abs(metres) > kHighest || metres == -32768 || metres == -32767 ||
+           metres == -9999;
 }
 
-template <class T>
-std::vector<float> scaled(const Image& image, double low, double high)
+template <class T> std::vector<float> scaled(const Image& image, double low, double high)
 {
     const double step = (high - low) / double(std::numeric_limits<T>::max());
     std::vector<float> metres;
@@ -53,7 +53,8 @@ float meanAround(const HeightMap& map, int x, int z)
     int count = 0;
     for (int dz = -1; dz <= 1; ++dz) {
         for (int dx = -1; dx <= 1; ++dx) {
-            if ((dx == 0 && dz == 0) || x + dx < 0 || z + dz < 0 || x + dx >= map.size.x || z + dz >= map.size.y) continue;
+            if ((dx == 0 && dz == 0) || x + dx < 0 || z + dz < 0 || x + dx >= map.size.x || z + dz >= map.size.y)
+                continue;
             const float height = map.at(x + dx, z + dz);
             if (std::isnan(height)) continue;
             sum += height;
@@ -120,7 +121,8 @@ std::size_t fillVoids(HeightMap& map)
     return filled.size();
 }
 
-std::vector<float> metresOf(const Image& image, const Terrain& terrain, const std::string& where, Complaints& complaints)
+std::vector<float> metresOf(const Image& image, const Terrain& terrain, const std::string& where,
+                            Complaints& complaints)
 {
     if (image.channels > 1)
         complaints.push_back({Severity::Warning, where, "a colour image as a height map; its first channel is used"});
@@ -141,8 +143,7 @@ Result<HeightMap> readHeightMap(const std::filesystem::path& file, const Terrain
     const std::string where = file.string();
     const Result<Image> image = readImage(file);
     if (!image) return image.error();
-    if (image->size.x < 2 || image->size.y < 2)
-        return Error{where, "a height map needs at least 2 x 2 pixels"};
+    if (image->size.x < 2 || image->size.y < 2) return Error{where, "a height map needs at least 2 x 2 pixels"};
 
     HeightMap map;
     map.size = image->size;

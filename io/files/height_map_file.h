@@ -15,6 +15,7 @@ namespace io {
 Result<HeightMap> readHeightMap(const std::filesystem::path& file, const Terrain& terrain, Complaints& complaints);
 
 // A 16-bit PNG that readHeightMap() reads back with the same two heights; what lies outside them is clamped.
-Status writeHeightMap16(const std::filesystem::path& file, const HeightMap& heights, double minHeight, double maxHeight);
+Status writeHeightMap16(const std::filesystem::path& file, const HeightMap& heights, double minHeight,
+                        double maxHeight);
 
 } // namespace io

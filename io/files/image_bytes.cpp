@@ -34,11 +34,9 @@ std::string pngWithoutMetadata(std::string_view bytes)
     return out;
 }
 
-// JPEG (ITU T.81) is a row of segments up to the start of scan: FF, marker, length, data. APP0 (JFIF) and APP14
-// (Adobe's colour transform) say how to read the pixels, the other APPn and comments do not.
-std::string jpegWithoutMetadata(std::string_view bytes)
+// JPEG (ITU T.81) is a row of segments up to the start of scan: FF, marker, length, data. Answers where they end.
+template <class Take> std::size_t eachSegment(std::string_view bytes, Take take)
 {
-    std::string out{bytes.substr(0, 2)};
     std::size_t at = 2;
     while (at + 4 <= bytes.size() && bytes[at] == '\xFF') {
         const auto marker = static_cast<unsigned char>(bytes[at + 1]);
@@ -48,11 +46,21 @@ std::string jpegWithoutMetadata(std::string_view bytes)
         }
         const std::size_t size = std::size_t(bigEndian(bytes, at + 2, 2)) + 2;
         if (marker == 0xDA || marker < 0xC0 || size > bytes.size() - at) break;
-        const bool application = marker >= 0xE1 && marker <= 0xEF && marker != 0xEE;
-        if (!application && marker != 0xFE) out += bytes.substr(at, size);
+        take(marker, bytes.substr(at, size));
         at += size;
     }
-    return out.append(bytes.substr(at));
+    return at;
+}
+
+// APP0 (JFIF) and APP14 (Adobe's colour transform) say how to read the pixels, the other APPn and comments do not.
+std::string jpegWithoutMetadata(std::string_view bytes)
+{
+    std::string out{bytes.substr(0, 2)};
+    const std::size_t rest = eachSegment(bytes, [&](int marker, std::string_view segment) {
+        const bool application = marker >= 0xE1 && marker <= 0xEF && marker != 0xEE;
+        if (!application && marker != 0xFE) out += segment;
+    });
+    return out.append(bytes.substr(rest));
 }
 
 std::uint32_t littleEndian(std::string_view bytes, std::size_t at)
@@ -85,6 +93,19 @@ bool soundDds(std::string_view bytes)
 std::string headerFault(std::string_view bytes)
 {
     return imageFormat(bytes) == "dds" && !soundDds(bytes) ? "its pixel format is damaged" : "";
+}
+
+std::optional<glm::u32vec2> declaredSize(std::string_view bytes)
+{
+    const std::string_view format = imageFormat(bytes);
+    if (format == "png" && bytes.size() >= 24) return glm::u32vec2{bigEndian(bytes, 16, 4), bigEndian(bytes, 20, 4)};
+    if (format != "jpeg") return std::nullopt;
+    std::optional<glm::u32vec2> size;
+    eachSegment(bytes, [&](int marker, std::string_view segment) {
+        const bool frame = marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
+        if (frame && segment.size() >= 9) size = glm::u32vec2{bigEndian(segment, 7, 2), bigEndian(segment, 5, 2)};
+    });
+    return size;
 }
 
 std::string_view imageFormat(std::string_view bytes)

@@ -23,13 +23,23 @@ std::string reason(std::string message)
     return message.empty() ? "no reason given" : message;
 }
 
+std::string words(std::int64_t width, std::int64_t height)
+{
+    return std::to_string(width) + " x " + std::to_string(height) + " pixels";
+}
+
+Status checkSides(std::int64_t width, std::int64_t height, const std::string& where)
+{
+    if (width < 1 || height < 1) return refused(where, "an image of " + words(width, height));
+    if (width > kLargestSide || height > kLargestSide)
+        return refused(where, words(width, height) + "; a side may have at most " + std::to_string(kLargestSide));
+    return {};
+}
+
 // What a decoder is about to make is checked before it makes it.
 Status checkHeader(const OIIO::ImageSpec& spec, const std::string& where)
 {
-    const std::string size = std::to_string(spec.width) + " x " + std::to_string(spec.height);
-    if (spec.width < 1 || spec.height < 1) return refused(where, "an image of " + size + " pixels");
-    if (spec.width > kLargestSide || spec.height > kLargestSide)
-        return refused(where, size + " pixels; a side may have at most " + std::to_string(kLargestSide));
+    if (Status sides = checkSides(spec.width, spec.height, where); !sides) return sides;
     if (spec.get_int_attribute("tiff:RowsPerStrip", 1) < 1) // any format may carry it, and the library divides by it
         return refused(where, "its rows are damaged");
     if (spec.deep || spec.depth > 1) return refused(where, "deep or volume images are not supported; flatten it");
@@ -38,7 +48,7 @@ Status checkHeader(const OIIO::ImageSpec& spec, const std::string& where)
     // A decoder may hold the whole native image: count that as well as what comes out of it.
     const auto sample = std::max<std::uint64_t>(spec.format.size(), 1);
     if (std::uint64_t(spec.width) * spec.height * spec.nchannels * sample > kLargestImage)
-        return refused(where, size + " pixels are more than 512 MiB; make it smaller");
+        return refused(where, words(spec.width, spec.height) + " are more than 512 MiB; make it smaller");
     return {};
 }
 
@@ -56,8 +66,7 @@ OIIO::TypeDesc typeOf(PixelType type)
                                     : OIIO::TypeDesc::FLOAT;
 }
 
-template <class Native>
-bool readUnscaled(OIIO::ImageInput& input, Image& image, OIIO::TypeDesc type)
+template <class Native> bool readUnscaled(OIIO::ImageInput& input, Image& image, OIIO::TypeDesc type)
 {
     std::vector<Native> values(std::size_t(image.size.x) * image.size.y * image.channels);
     if (!input.read_image(0, 0, 0, image.channels, type, values.data())) return false;
@@ -86,6 +95,8 @@ Result<Image> decode(std::string_view bytes, const std::string& where)
     const std::string format{imageFormat(bytes)};
     if (format.empty()) return refused(where, "not an image that Wold reads (PNG, JPEG, TIFF, EXR, HDR, DDS)");
     if (const std::string fault = headerFault(bytes); !fault.empty()) return refused(where, fault);
+    if (const auto size = declaredSize(bytes))
+        if (Status sides = checkSides(size->x, size->y, where); !sides) return sides.error();
     const std::string clean = withoutMetadata(bytes);
     OIIO::Filesystem::IOMemReader memory{clean.data(), clean.size()};
     OIIO::ImageSpec config;
@@ -104,8 +115,7 @@ Result<Image> decode(std::string_view bytes, const std::string& where)
     image.channels = std::min(spec.nchannels, 4);
     image.type = pixelType(spec.format);
     image.bytes.resize(image.rowBytes() * std::size_t(image.size.y));
-    if (!readPixels(*input, image, spec.format))
-        return refused(where, "damaged: " + reason(input->geterror()));
+    if (!readPixels(*input, image, spec.format)) return refused(where, "damaged: " + reason(input->geterror()));
     return image;
 }
 
@@ -168,9 +178,12 @@ Status writeImage(const std::filesystem::path& file, const Image& image, int qua
     std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) { return char(std::tolower(c)); });
     OIIO::ImageSpec spec = specOf(image);
     if (extension == ".jpeg") extension = ".jpg";
-    if (extension == ".jpg") spec.attribute("Compression", "jpeg:" + std::to_string(std::clamp(quality, 1, 100)));
-    else if (extension == ".exr") spec.attribute("compression", "zip");
-    else if (extension != ".png") return unfit(file, "pictures are written as .png, .jpg or .exr");
+    if (extension == ".jpg")
+        spec.attribute("Compression", "jpeg:" + std::to_string(std::clamp(quality, 1, 100)));
+    else if (extension == ".exr")
+        spec.attribute("compression", "zip");
+    else if (extension != ".png")
+        return unfit(file, "pictures are written as .png, .jpg or .exr");
     if (extension == ".exr" && image.type != PixelType::F32) return unfit(file, ".exr holds float pixels");
     if (extension != ".exr" && image.type == PixelType::F32) return unfit(file, "float pixels need .exr");
     if (extension == ".jpg" && image.type != PixelType::U8) return unfit(file, ".jpg holds 8 bits a channel");

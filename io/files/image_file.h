@@ -10,7 +10,7 @@
 
 namespace io {
 
-constexpr int kLargestSide = 16384;                             // pixels
+constexpr int kLargestSide = 16384;                               // pixels
 constexpr std::uint64_t kLargestImage = std::uint64_t(512) << 20; // bytes once decoded
 
 // PNG JPEG TIFF EXR HDR DDS, told apart by their first bytes. Refused from the header, before any pixel is read:
@@ -19,7 +19,7 @@ constexpr std::uint64_t kLargestImage = std::uint64_t(512) << 20; // bytes once 
 Result<Image> decodeImage(std::string_view bytes, const std::string& where);
 Result<Image> readImage(const std::filesystem::path& file); // reads the file and decodes it
 
-Result<std::string> encodePng(const Image& image); // U8 or U16
+Result<std::string> encodePng(const Image& image);                                          // U8 or U16
 Status writeImage(const std::filesystem::path& file, const Image& image, int quality = 92); // by extension: png jpg exr
 
 } // namespace io

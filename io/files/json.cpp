@@ -81,8 +81,7 @@ public:
         m_open.back().key = std::move(name);
         return true;
     }
-    template <class Exception>
-    bool parse_error(std::size_t, const std::string&, const Exception& error)
+    template <class Exception> bool parse_error(std::size_t, const std::string&, const Exception& error)
     {
         return fail("not valid JSON: " + plainWords(error.what()));
     }
@@ -118,9 +117,12 @@ private:
     }
     bool put(Value value)
     {
-        if (m_open.empty()) result = std::move(value);
-        else if (Value::Array* array = m_open.back().value.asArray()) array->push_back(std::move(value));
-        else putMember(*m_open.back().value.asObject(), std::move(m_open.back().key), std::move(value));
+        if (m_open.empty())
+            result = std::move(value);
+        else if (Value::Array* array = m_open.back().value.asArray())
+            array->push_back(std::move(value));
+        else
+            putMember(*m_open.back().value.asObject(), std::move(m_open.back().key), std::move(value));
         return true;
     }
     void putMember(Value::Object& object, std::string key, Value value)
@@ -149,12 +151,18 @@ public:
     void write(const Value& value, int depth)
     {
         const double* number = value.asNumber();
-        if (value.isNull() || (number && !std::isfinite(*number))) text += "null";
-        else if (number) appendNumber(text, *number);
-        else if (const bool* b = value.asBool()) text += *b ? "true" : "false";
-        else if (const std::string* s = value.asString()) appendString(text, *s);
-        else if (const Value::Array* array = value.asArray()) writeArray(*array, depth);
-        else writeObject(*value.asObject(), depth);
+        if (value.isNull() || (number && !std::isfinite(*number)))
+            text += "null";
+        else if (number)
+            appendNumber(text, *number);
+        else if (const bool* b = value.asBool())
+            text += *b ? "true" : "false";
+        else if (const std::string* s = value.asString())
+            appendString(text, *s);
+        else if (const Value::Array* array = value.asArray())
+            writeArray(*array, depth);
+        else
+            writeObject(*value.asObject(), depth);
     }
 
 private:

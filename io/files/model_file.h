@@ -16,8 +16,8 @@ namespace io {
 Result<Model> readModel(const std::filesystem::path& file, const std::filesystem::path& root, Complaints& complaints);
 
 // The same of bytes that lie in memory; `file` is where they belong.
-Result<Model> readModelBytes(std::string_view bytes, const std::filesystem::path& file, const std::filesystem::path& root,
-                             Complaints& complaints);
+Result<Model> readModelBytes(std::string_view bytes, const std::filesystem::path& file,
+                             const std::filesystem::path& root, Complaints& complaints);
 
 // Binary glTF with its images embedded as PNG.
 Result<std::string> encodeGlb(const Model& model);

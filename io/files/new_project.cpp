@@ -23,8 +23,10 @@ Status copyTree(const fs::path& from, const fs::path& to)
     fs::create_directories(to, error);
     for (fs::recursive_directory_iterator entry{from, error}, end; !error && entry != end; entry.increment(error)) {
         const fs::path target = to / entry->path().lexically_relative(from);
-        if (entry->is_directory(error)) fs::create_directories(target, error);
-        else if (entry->is_regular_file(error)) fs::copy_file(entry->path(), target, error);
+        if (entry->is_directory(error))
+            fs::create_directories(target, error);
+        else if (entry->is_regular_file(error))
+            fs::copy_file(entry->path(), target, error);
         if (error) return Error{target.string(), "cannot be copied: " + error.message()};
     }
     return error ? Status{Error{to.string(), "cannot be made: " + error.message()}} : Status{};

@@ -37,7 +37,8 @@ Result<fs::path> projectFolder(const fs::path& project)
     const fs::path folder = project.filename() == kProjectFile && !fs::is_directory(project, error)
                                 ? (project.has_parent_path() ? project.parent_path() : fs::path{"."})
                                 : project;
-    if (!fs::exists(folder, error)) return Error{folder.string(), "there is no such project; name a folder that holds project.json"};
+    if (!fs::exists(folder, error))
+        return Error{folder.string(), "there is no such project; name a folder that holds project.json"};
     if (!fs::exists(folder / kProjectFile, error))
         return Error{folder.string(), "is no project; name a folder that holds project.json"};
     return folder;
@@ -55,7 +56,8 @@ Result<SceneEntry> chooseScene(const Project& project, std::string_view asked, C
     }
     if (!asked.empty()) return Error{where, "there is no scene \"" + std::string{asked} + "\"; there is " + names};
     if (!name.empty())
-        complaints.push_back({Severity::Error, where, "start: there is no scene \"" + project.start + "\"; there is " + names});
+        complaints.push_back(
+            {Severity::Error, where, "start: there is no scene \"" + project.start + "\"; there is " + names});
     return project.scenes.front();
 }
 
@@ -70,10 +72,14 @@ void readTemplates(const Project& project, Scene& scene, Complaints& complaints)
         }
         const TemplateId id = scene.templateSlot(name);
         Result<std::string> text = readProjectFile(project.folder, templateFile(name));
-        Result<Template> read = text ? readTemplateText(std::move(*text), shown(project.folder, templateFile(name)), complaints)
-                                     : Result<Template>{text.error()};
-        if (read) scene.exchange(id, std::move(*read));
-        else complaints.push_back({Severity::Error, read.error().where, read.error().what + "; its objects stay empty places"});
+        Result<Template> read =
+            text ? readTemplateText(std::move(*text), shown(project.folder, templateFile(name)), complaints)
+                 : Result<Template>{text.error()};
+        if (read)
+            scene.exchange(id, std::move(*read));
+        else
+            complaints.push_back(
+                {Severity::Error, read.error().where, read.error().what + "; its objects stay empty places"});
     }
 }
 
@@ -86,16 +92,23 @@ void readEnvironment(World& world, Complaints& complaints)
                               "environment: missing; " + world.environmentFile + " is taken"});
     }
     Result<std::string> text = readProjectFile(folder, world.environmentFile);
-    Result<Environment> read = text ? readEnvironmentText(std::move(*text), shown(folder, world.environmentFile), complaints)
-                                    : Result<Environment>{text.error()};
-    if (read) world.scene.exchange(std::move(*read));
-    else complaints.push_back({Severity::Error, read.error().where, read.error().what + "; the usual light is shown instead"});
+    Result<Environment> read =
+        text ? readEnvironmentText(std::move(*text), shown(folder, world.environmentFile), complaints)
+             : Result<Environment>{text.error()};
+    if (read)
+        world.scene.exchange(std::move(*read));
+    else
+        complaints.push_back(
+            {Severity::Error, read.error().where, read.error().what + "; the usual light is shown instead"});
 }
 
 ProjectBody bodyOf(const World& world)
 {
     const Scene& scene = world.scene;
-    ProjectBody body{world.project.name, world.project.start, world.project.scenes, world.project.templates,
+    ProjectBody body{world.project.name,
+                     world.project.start,
+                     world.project.scenes,
+                     world.project.templates,
                      {scene.cameras().begin(), scene.cameras().end()},
                      {scene.paths().begin(), scene.paths().end()},
                      world.project.extra};

@@ -16,7 +16,7 @@ namespace io {
 
 struct SceneEntry {
     std::string name;
-    std::string file;        // scenes/NAME.scene.json
+    std::string file; // scenes/NAME.scene.json
     bool operator==(const SceneEntry&) const = default;
 };
 
@@ -37,8 +37,8 @@ struct World {
     Scene scene;                 // objects, templates, environment, terrain; cameras and paths from project.json
 };
 
-// `project` is the folder or its project.json; an empty scene name is the start scene. Finishes or drops a save that was
-// cut off. An error is a world that cannot be opened; complaints are what was mended or left out.
+// `project` is the folder or its project.json; an empty scene name is the start scene. Finishes or drops a save that
+// was cut off. An error is a world that cannot be opened; complaints are what was mended or left out.
 Result<World> openWorld(const std::filesystem::path& project, std::string_view scene, Complaints& complaints);
 
 // The whole world as one transaction; what did not change is not written.

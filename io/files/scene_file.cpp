@@ -54,16 +54,19 @@ private:
     void readOne(JsonValue value)
     {
         const char* at = startOf(value);
-        if (!isObject(value)) return m_source.complain(Severity::Error, at, "objects: expected an object in braces; left out");
+        if (!isObject(value))
+            return m_source.complain(Severity::Error, at, "objects: expected an object in braces; left out");
         ObjectLine line;
-        readSection(line, value.get_object(), nullptr, Unknown{&line.extra, {}}, m_source, [](auto&&...) { return false; });
+        readSection(line, value.get_object(), nullptr, Unknown{&line.extra, {}}, m_source,
+                    [](auto&&...) { return false; });
         mendScale(line, at);
         if (line.id == ObjectId::None) {
             m_source.complain(Severity::Error, at, "id: missing; the object gets a new one");
             m_nameless.emplace_back(std::move(line), at);
         } else if (m_scene.find(line.id)) {
             m_source.complain(Severity::Error, at,
-                              "id: " + std::to_string(number(line.id)) + " is taken by an object above; this one is left out");
+                              "id: " + std::to_string(number(line.id)) +
+                                  " is taken by an object above; this one is left out");
         } else {
             if (line.parent != ObjectId::None) m_children.emplace_back(line.id, at);
             const ObjectId id = line.id;
@@ -96,7 +99,8 @@ private:
     void orphan(ObjectId id, const char* at, const char* why)
     {
         Object object = m_scene.at(id);
-        m_source.complain(Severity::Error, at, "parent: " + std::to_string(number(object.parent)) + " " + why + "; removed");
+        m_source.complain(Severity::Error, at,
+                          "parent: " + std::to_string(number(object.parent)) + " " + why + "; removed");
         object.parent = ObjectId::None;
         m_scene.exchange(id, std::move(object));
     }
@@ -132,14 +136,15 @@ public:
         }
         m_out += '}';
     }
-    template <class T>
-    void operator()(std::string_view key, const T& value, const Hint&)
+    template <class T> void operator()(std::string_view key, const T& value, const Hint&)
     {
         const bool always = key == "template" || key == "position";
         if (const void* usual = m_defaults[m_next++]; !always && value == *static_cast<const T*>(usual)) return;
         name(key);
-        if constexpr (std::is_same_v<T, TemplateId>) appendString(m_out, m_scene.templateName(value));
-        else appendLeaf(m_out, value);
+        if constexpr (std::is_same_v<T, TemplateId>)
+            appendString(m_out, m_scene.templateName(value));
+        else
+            appendLeaf(m_out, value);
     }
 
 private:
@@ -171,11 +176,12 @@ Result<std::string> readSceneText(std::string text, const std::string& name, Sce
     Source source{name, std::string_view{text}.substr(0, size), found};
     source.templateNamed = TemplateNames{scene, source};
     ObjectsReader objects{scene, source};
-    Result<SceneBody> body = readHeaded<SceneBody>(source, kFormat, [&](std::string_view key, JsonValue& value, const Place&) {
-        if (key != "objects") return false;
-        objects.read(value);
-        return true;
-    });
+    Result<SceneBody> body =
+        readHeaded<SceneBody>(source, kFormat, [&](std::string_view key, JsonValue& value, const Place&) {
+            if (key != "objects") return false;
+            objects.read(value);
+            return true;
+        });
     if (!body) return body.error();
     source.finish();
     complaints.insert(complaints.end(), found.begin(), found.end());

@@ -6,8 +6,7 @@
 namespace io {
 namespace {
 
-template <class Add>
-void eachTriangle(const Model& model, Add add)
+template <class Add> void eachTriangle(const Model& model, Add add)
 {
     for (const Part& part : model.parts)
         for (std::uint32_t i = part.firstIndex; i + 2 < part.firstIndex + part.indexCount; i += 3)
@@ -89,7 +88,9 @@ bool setUnit(glm::vec3& target, const glm::vec3& vector)
 
 void complete(Model& model, const ShadingFrames& frames)
 {
-    const auto any = [](const std::vector<bool>& needed) { return std::find(needed.begin(), needed.end(), true) != needed.end(); };
+    const auto any = [](const std::vector<bool>& needed) {
+        return std::find(needed.begin(), needed.end(), true) != needed.end();
+    };
     if (any(frames.needsNormal)) completeNormals(model, frames.needsNormal);
     if (any(frames.needsTangent)) completeTangents(model, frames.needsTangent);
 }

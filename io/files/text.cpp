@@ -32,11 +32,21 @@ void appendEscaped(std::string& out, char c)
 {
     constexpr char kHex[] = "0123456789abcdef";
     switch (c) {
-    case '"': out += "\\\""; break;
-    case '\\': out += "\\\\"; break;
-    case '\n': out += "\\n"; break;
-    case '\r': out += "\\r"; break;
-    case '\t': out += "\\t"; break;
+    case '"':
+        out += "\\\"";
+        break;
+    case '\\':
+        out += "\\\\";
+        break;
+    case '\n':
+        out += "\\n";
+        break;
+    case '\r':
+        out += "\\r";
+        break;
+    case '\t':
+        out += "\\t";
+        break;
     default:
         out += "\\u00";
         out += kHex[(c >> 4) & 15];
@@ -96,9 +106,12 @@ void appendString(std::string& out, std::string_view text)
         if (text.empty()) break;
 
         const std::size_t length = sequenceLength(text);
-        if (length == 0) out += "\uFFFD";
-        else if (length == 1) appendEscaped(out, text[0]);
-        else out.append(text.substr(0, length));
+        if (length == 0)
+            out += "\uFFFD";
+        else if (length == 1)
+            appendEscaped(out, text[0]);
+        else
+            out.append(text.substr(0, length));
         text.remove_prefix(length == 0 ? 1 : length);
     }
     out += '"';
@@ -110,8 +123,10 @@ std::string repairedUtf8(std::string_view text)
     out.reserve(text.size());
     while (!text.empty()) {
         const std::size_t length = sequenceLength(text);
-        if (length == 0) out += "\uFFFD";
-        else out.append(text.substr(0, length));
+        if (length == 0)
+            out += "\uFFFD";
+        else
+            out.append(text.substr(0, length));
         text.remove_prefix(length == 0 ? 1 : length);
     }
     return out;

@@ -20,24 +20,28 @@ struct AnyVisitor {
 };
 
 template <class T>
-concept Section = requires(AnyVisitor v, T& t) { fields(v, t); };
+concept Section = requires(AnyVisitor v, T& t)
+{
+    fields(v, t);
+};
 
 template <class T>
-concept NamedEnum = std::is_enum_v<T> && requires(T t) { enumNames(t); };
+concept NamedEnum = std::is_enum_v<T> && requires(T t)
+{
+    enumNames(t);
+};
 
-template <class T>
-struct ListTraits : std::false_type {};
-template <class T>
-struct ListTraits<std::vector<T>> : std::true_type {
+template <class T> struct ListTraits : std::false_type {
+};
+template <class T> struct ListTraits<std::vector<T>> : std::true_type {
     using Item = T;
 };
 template <class T>
 concept List = ListTraits<T>::value;
 
-template <class T>
-struct VectorTraits : std::false_type {};
-template <int N, class T, glm::qualifier Q>
-struct VectorTraits<glm::vec<N, T, Q>> : std::true_type {
+template <class T> struct VectorTraits : std::false_type {
+};
+template <int N, class T, glm::qualifier Q> struct VectorTraits<glm::vec<N, T, Q>> : std::true_type {
     static constexpr int kSize = N;
     using Component = T;
 };
@@ -49,21 +53,23 @@ enum class Reading { File, Typed };
 
 // ---- to a Value -----------------------------------------------------------------------------------------------
 
-template <class T>
-Value toValue(const T& value);
+template <class T> Value toValue(const T& value);
 
 struct SectionToValue {
     Value::Object members;
     void operator()(const char* key, const auto& value, const Hint&) { members.emplace_back(key, toValue(value)); }
 };
 
-template <class T>
-Value toValue(const T& value)
+template <class T> Value toValue(const T& value)
 {
-    if constexpr (std::is_same_v<T, float>) return decimal(value);
-    else if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::string> || std::is_arithmetic_v<T>) return value;
-    else if constexpr (NamedEnum<T>) return enumNames(value)[std::size_t(value)];
-    else if constexpr (std::is_enum_v<T>) return std::uint32_t(value); // an id
+    if constexpr (std::is_same_v<T, float>)
+        return decimal(value);
+    else if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::string> || std::is_arithmetic_v<T>)
+        return value;
+    else if constexpr (NamedEnum<T>)
+        return enumNames(value)[std::size_t(value)];
+    else if constexpr (std::is_enum_v<T>)
+        return std::uint32_t(value); // an id
     else if constexpr (GlmVector<T>) {
         Value::Array components;
         for (int i = 0; i < VectorTraits<T>::kSize; ++i)
@@ -85,8 +91,7 @@ Value toValue(const T& value)
 
 // Sets `target` from `value`, or leaves it alone and says what was expected. Sections and lists are read elsewhere:
 // a file's by io/files, one field's by setField().
-template <class T>
-FieldFault fromValue(T& target, const Value& value, const Hint& hint, Reading reading)
+template <class T> FieldFault fromValue(T& target, const Value& value, const Hint& hint, Reading reading)
 {
     if constexpr (std::is_same_v<T, bool>) {
         const std::optional<bool> b = readBool(value, reading == Reading::Typed);
@@ -101,7 +106,8 @@ FieldFault fromValue(T& target, const Value& value, const Hint& hint, Reading re
         if (index < 0) return expectedOneOf(names, value);
         target = T(index);
     } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>) {
-        using Number = typename std::conditional_t<std::is_enum_v<T>, std::underlying_type<T>, std::type_identity<T>>::type;
+        using Number =
+            typename std::conditional_t<std::is_enum_v<T>, std::underlying_type<T>, std::type_identity<T>>::type;
         const std::optional<double> n = readNumber(value, reading == Reading::Typed);
         if (!n) return expected("a number", value);
         if (FieldFault fault = checkNumber(*n, hint, std::is_integral_v<Number>)) return fault;
@@ -116,8 +122,7 @@ FieldFault fromValue(T& target, const Value& value, const Hint& hint, Reading re
     return {};
 }
 
-template <class T>
-FieldFault vectorFromValue(T& target, const Value& value, const Hint& hint, Reading reading)
+template <class T> FieldFault vectorFromValue(T& target, const Value& value, const Hint& hint, Reading reading)
 {
     constexpr int kSize = VectorTraits<T>::kSize;
     const Value::Array parts = readParts(value, reading == Reading::Typed);
@@ -130,8 +135,7 @@ FieldFault vectorFromValue(T& target, const Value& value, const Hint& hint, Read
 }
 
 // A value that is of the right type but outside its range, moved to the nearest end of it.
-template <class T>
-void clampToHint(T& target, const Value& value, const Hint& hint)
+template <class T> void clampToHint(T& target, const Value& value, const Hint& hint)
 {
     T nearest = target;
     Value moved = clamped(value, hint);
@@ -141,14 +145,12 @@ void clampToHint(T& target, const Value& value, const Hint& hint)
 // ---- by dotted path: "sun.azimuth", "layers.0.colour", "position.y" ---------------------------------------------
 
 // Calls act(field, hint) on the field that `path` names.
-template <class Act>
-class FieldSeeker {
+template <class Act> class FieldSeeker {
 public:
     FieldSeeker(std::string_view path, Act& act) : m_path{path}, m_act{act} {}
     bool found() const { return m_found; }
 
-    template <class T>
-    void operator()(std::string_view key, T& value, const Hint& hint)
+    template <class T> void operator()(std::string_view key, T& value, const Hint& hint)
     {
         if (m_found || !m_path.starts_with(key)) return;
         const std::string_view rest = m_path.substr(key.size());
@@ -157,15 +159,15 @@ public:
     }
 
 private:
-    template <class T>
-    bool seek(T& value, std::string_view rest, const Hint& hint)
+    template <class T> bool seek(T& value, std::string_view rest, const Hint& hint)
     {
         using Plain = std::remove_const_t<T>;
         if (rest.empty()) {
             m_act(value, hint);
             return true;
         }
-        if constexpr (List<Plain>) return seekItem(value, rest, hint);
+        if constexpr (List<Plain>)
+            return seekItem(value, rest, hint);
         else if constexpr (GlmVector<Plain>) {
             const int axis = rest.size() == 1 ? axisOfName(rest[0]) : -1;
             return axis >= 0 && axis < VectorTraits<Plain>::kSize && seek(value[axis], {}, hint);
@@ -176,8 +178,7 @@ private:
         }
         return false;
     }
-    template <class T>
-    bool seekItem(T& list, std::string_view rest, const Hint& hint)
+    template <class T> bool seekItem(T& list, std::string_view rest, const Hint& hint)
     {
         const std::string_view first = rest.substr(0, rest.find('.'));
         const std::string_view after = first.size() == rest.size() ? std::string_view{} : rest.substr(first.size() + 1);
@@ -196,15 +197,10 @@ public:
         : m_paths{paths}, m_prefix{std::move(prefix)}
     {
     }
-    template <class T>
-    void operator()(const char* key, T& value, const Hint&)
-    {
-        list(value, m_prefix + key);
-    }
+    template <class T> void operator()(const char* key, T& value, const Hint&) { list(value, m_prefix + key); }
 
 private:
-    template <class T>
-    void list(T& value, const std::string& path)
+    template <class T> void list(T& value, const std::string& path)
     {
         if constexpr (List<std::remove_const_t<T>>) {
             for (std::size_t i = 0; i < value.size(); ++i)
@@ -222,8 +218,7 @@ private:
 };
 
 // Every leaf of `thing`, as "sun.azimuth".
-template <class T>
-std::vector<std::string> fieldPaths(const T& thing)
+template <class T> std::vector<std::string> fieldPaths(const T& thing)
 {
     std::vector<std::string> paths;
     PathLister lister{paths};
@@ -231,8 +226,7 @@ std::vector<std::string> fieldPaths(const T& thing)
     return paths;
 }
 
-template <class T>
-Result<Value> getField(const T& thing, std::string_view path)
+template <class T> Result<Value> getField(const T& thing, std::string_view path)
 {
     Value value;
     auto read = [&](const auto& field, const Hint&) { value = toValue(field); };
@@ -243,8 +237,7 @@ Result<Value> getField(const T& thing, std::string_view path)
 }
 
 // Reads what a person or a script says: "on", "1.5" and "1,2,3" will do as well as true, 1.5 and [1,2,3].
-template <class T>
-Status setField(T& thing, std::string_view path, const Value& value)
+template <class T> Status setField(T& thing, std::string_view path, const Value& value)
 {
     FieldFault fault;
     auto write = [&](auto& field, const Hint& hint) { fault = fromValue(field, value, hint, Reading::Typed); };

@@ -155,7 +155,8 @@ FieldFault checkNumber(double number, const Hint& hint, bool whole)
     if (whole && number != std::floor(number)) return numberText(number) + " must be a whole number";
     if (number >= hint.min && number <= hint.max) return {};
     const std::string unit = *hint.unit ? std::string{" "} + hint.unit : std::string{};
-    if (hint.max == std::numeric_limits<double>::max()) return numberText(number) + " must be at least " + numberText(hint.min) + unit;
+    if (hint.max == std::numeric_limits<double>::max())
+        return numberText(number) + " must be at least " + numberText(hint.min) + unit;
     return numberText(number) + " is outside " + numberText(hint.min) + " to " + numberText(hint.max) + unit;
 }
 

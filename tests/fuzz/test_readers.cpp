@@ -13,6 +13,14 @@
 #include <cstring>
 #include <random>
 
+#ifdef __SANITIZE_ADDRESS__
+// OpenImageIO keeps the errors of a thread for ever.
+extern "C" const char* __lsan_default_suppressions()
+{
+    return "leak:libOpenImageIO";
+}
+#endif
+
 namespace io {
 namespace {
 
@@ -33,11 +41,7 @@ public:
     }
 
 private:
-    template <class T>
-    T pick(std::initializer_list<T> choices)
-    {
-        return *(choices.begin() + below(choices.size()));
-    }
+    template <class T> T pick(std::initializer_list<T> choices) { return *(choices.begin() + below(choices.size())); }
     std::size_t below(std::size_t limit) { return limit == 0 ? 0 : m_random() % limit; }
 
     void damage(std::string& bytes)
@@ -45,14 +49,23 @@ private:
         const std::size_t at = below(bytes.size());
         const std::size_t length = std::min(below(64) + 1, bytes.size() - at);
         switch (below(8)) {
-        case 0: return void(bytes.empty() || (bytes[at] ^= char(1 << below(8))));
-        case 1: return void(bytes.empty() || (bytes[at] = char(below(256))));
-        case 2: return void(bytes.erase(at, length));
-        case 3: return void(bytes.insert(at, bytes.substr(below(bytes.size()), length)));
-        case 4: return void(bytes.resize(at));
-        case 5: return void(bytes.insert(at, pick<const char*>({"{", "}", "[", "]", ",", ":", "\"", "\\", "\n", "null", "-", "1e999", "\xFF"})));
-        case 6: return changeNumber(bytes, at);
-        default: return changeWord(bytes, at);
+        case 0:
+            return void(bytes.empty() || (bytes[at] ^= char(1 << below(8))));
+        case 1:
+            return void(bytes.empty() || (bytes[at] = char(below(256))));
+        case 2:
+            return void(bytes.erase(at, length));
+        case 3:
+            return void(bytes.insert(at, bytes.substr(below(bytes.size()), length)));
+        case 4:
+            return void(bytes.resize(at));
+        case 5:
+            return void(bytes.insert(
+                at, pick<const char*>({"{", "}", "[", "]", ",", ":", "\"", "\\", "\n", "null", "-", "1e999", "\xFF"})));
+        case 6:
+            return changeNumber(bytes, at);
+        default:
+            return changeWord(bytes, at);
         }
     }
     void changeNumber(std::string& bytes, std::size_t from)
@@ -60,13 +73,16 @@ private:
         const std::size_t start = bytes.find_first_of("0123456789", from);
         if (start == std::string::npos) return;
         const std::size_t end = std::min(bytes.find_first_not_of("0123456789", start), bytes.size());
-        bytes.replace(start, end - start, pick<const char*>({"0", "-1", "1", "255", "65535", "65536", "2147483647", "2147483648",
-                                                             "4294967296", "9007199254740993", "1e308", "-1e-320", "0.5", "true", "\"x\""}));
+        bytes.replace(
+            start, end - start,
+            pick<const char*>({"0", "-1", "1", "255", "65535", "65536", "2147483647", "2147483648", "4294967296",
+                               "9007199254740993", "1e308", "-1e-320", "0.5", "true", "\"x\""}));
     }
     void changeWord(std::string& bytes, std::size_t at) // 32 bits of a binary file
     {
         if (bytes.size() < 4) return;
-        const std::uint32_t word = pick<std::uint32_t>({0, 1, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0x7F800000, 0x7FC00000, std::uint32_t(m_random())});
+        const std::uint32_t word = pick<std::uint32_t>(
+            {0, 1, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0x7F800000, 0x7FC00000, std::uint32_t(m_random())});
         std::memcpy(bytes.data() + std::min(at, bytes.size() - 4) / 4 * 4, &word, 4);
     }
 
@@ -124,8 +140,7 @@ TEST(Fuzz, Scenes)
     EXPECT_GT(taken, 100);
 }
 
-template <class Read, class Write>
-void fuzzDocument(const std::string& good, int count, Read read, Write write)
+template <class Read, class Write> void fuzzDocument(const std::string& good, int count, Read read, Write write)
 {
     Mutator mutator;
     for (int i = 0; i < rounds(count); ++i) {
@@ -150,7 +165,8 @@ TEST(Fuzz, Environments)
 
 TEST(Fuzz, Projects)
 {
-    ProjectBody project{.name = "p", .start = "a", .scenes = {{"a", "scenes/a.scene.json"}}, .templates = {"oak", "fir"}};
+    ProjectBody project{
+        .name = "p", .start = "a", .scenes = {{"a", "scenes/a.scene.json"}}, .templates = {"oak", "fir"}};
     project.cameras.resize(2);
     project.paths = {{.name = "tour", .keys = {{.time = 0}, {.time = 1}}}};
     project.extra.add("paths.0.keys.1.ease", "\"in\"");
@@ -159,7 +175,8 @@ TEST(Fuzz, Projects)
 
 TEST(Fuzz, Templates)
 {
-    fuzzDocument(templateText(Template{.category = "Trees", .model = "models/oak.glb"}), 8000, readTemplateText, templateText);
+    fuzzDocument(templateText(Template{.category = "Trees", .model = "models/oak.glb"}), 8000, readTemplateText,
+                 templateText);
 }
 
 TEST(Fuzz, Json)

@@ -30,7 +30,8 @@ inline void expectSound(const Model& model, const std::string& name)
     }
     for (const Material& material : model.materials)
         for (const TextureUse* use : {&material.baseColourTexture, &material.normalTexture, &material.emissiveTexture})
-            ASSERT_TRUE(use->image >= -1 && use->image < int(model.images.size()) && use->uvSet >= 0 && use->uvSet <= 1) << name;
+            ASSERT_TRUE(use->image >= -1 && use->image < int(model.images.size()) && use->uvSet >= 0 && use->uvSet <= 1)
+                << name;
 }
 
 } // namespace io

@@ -22,7 +22,10 @@ Files filesIn(const fs::path& folder)
 }
 
 const Files kOld = {{"project.json", "old project"}, {"scenes/a.json", "old scene"}, {"same.json", "same"}};
-const Files kNew = {{"project.json", "new project"}, {"scenes/a.json", "new scene"}, {"same.json", "same"}, {"templates/t.json", "new"}};
+const Files kNew = {{"project.json", "new project"},
+                    {"scenes/a.json", "new scene"},
+                    {"same.json", "same"},
+                    {"templates/t.json", "new"}};
 
 void write(const fs::path& folder, const Files& files)
 {
@@ -39,8 +42,7 @@ FileTransaction transaction(const fs::path& folder, const Files& files)
 }
 
 // Runs `work` in a process of its own and answers how that ended.
-template <class Work>
-int inAnotherProcess(Work work)
+template <class Work> int inAnotherProcess(Work work)
 {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -106,7 +108,8 @@ TEST(FileTransaction, RecoveryThatIsCutIsFinishedByTheNext)
     });
     // As if a first recovery had come as far as one rename.
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator{folder.path()})
-        if (entry.path().filename().string().starts_with(".project.json.")) fs::rename(entry.path(), folder / "project.json");
+        if (entry.path().filename().string().starts_with(".project.json."))
+            fs::rename(entry.path(), folder / "project.json");
     ASSERT_TRUE(recoverTransactions(folder.path()));
     EXPECT_EQ(filesIn(folder.path()), kNew);
     ASSERT_TRUE(recoverTransactions(folder.path()));
@@ -190,7 +193,8 @@ TEST(ReadFile, TakesOnlyRegularFilesUpToALimit)
 {
     const TemporaryFolder folder;
     ::mkfifo((folder / "pipe").c_str(), 0600);
-    EXPECT_NE(readFile(folder / "pipe").error().what.find("not a regular file"), std::string::npos); // and does not wait
+    EXPECT_NE(readFile(folder / "pipe").error().what.find("not a regular file"),
+              std::string::npos); // and does not wait
     EXPECT_FALSE(readFile(folder.path()));
     EXPECT_FALSE(readFile("/dev/zero"));
     EXPECT_FALSE(readFile(folder / "missing"));

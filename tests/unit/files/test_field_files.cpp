@@ -24,9 +24,12 @@ TEST(EnvironmentFile, ReadsWell)
     environment.extra.add("aurora", R"({"strength":2})");
     environment.extra.add("sun.corona", "1.50");
     const std::string text = environmentText(environment);
-    EXPECT_TRUE(text.starts_with("{\n  \"format\": \"wold-environment\",\n  \"version\": 1,\n  \"time\": 10.5,\n  \"day_of_year\": 172,\n"))
+    EXPECT_TRUE(text.starts_with(
+        "{\n  \"format\": \"wold-environment\",\n  \"version\": 1,\n  \"time\": 10.5,\n  \"day_of_year\": 172,\n"))
         << text;
-    EXPECT_NE(text.find("    \"irradiance\": [1,1,1],\n    \"angular_diameter\": 0.53,\n    \"corona\": 1.50\n  },\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("    \"irradiance\": [1,1,1],\n    \"angular_diameter\": 0.53,\n    \"corona\": 1.50\n  },\n"),
+              std::string::npos)
+        << text;
     EXPECT_TRUE(text.ends_with("    \"bias\": 1\n  },\n  \"aurora\": {\"strength\":2}\n}\n")) << text;
 }
 
@@ -58,17 +61,22 @@ TEST(EnvironmentFile, MissingKeysHaveTheirDefaults)
 
 TEST(EnvironmentFile, FaultsAreNamedWithLineAndKey)
 {
-    EXPECT_EQ(environmentFaults(environmentWith("\"time\": \"noon\"")), "e.json:4: time: expected a number, found \"noon\"\n");
+    EXPECT_EQ(environmentFaults(environmentWith("\"time\": \"noon\"")),
+              "e.json:4: time: expected a number, found \"noon\"\n");
     EXPECT_EQ(environmentFaults(environmentWith("\"sun\": {\n\"mode\": \"x\"}")),
               "e.json:5: sun.mode: expected time or manual, found \"x\"\n");
-    EXPECT_EQ(environmentFaults(environmentWith("\"sun\": [1]")), "e.json:4: sun: expected an object in braces, found a list of 1\n");
+    EXPECT_EQ(environmentFaults(environmentWith("\"sun\": [1]")),
+              "e.json:4: sun: expected an object in braces, found a list of 1\n");
     EXPECT_EQ(environmentFaults(environmentWith("\"time\": 25")), "e.json:4: time: 25 is outside 0 to 24 h\n");
     EXPECT_EQ(environmentFaults(environmentWith("\"time\": 1e999")), "e.json:4: time: must be a finite number\n");
     EXPECT_EQ(environmentFaults(environmentWith("\"time\": 1,\n\"time\": 2")),
               "e.json:5: time: the key appears twice; the first is used\n");
-    EXPECT_EQ(environmentFaults(environmentWith("\"fog\": {\"tint\": [1,\"a\",1]}")), "e.json:4: fog.tint: expected a number, found \"a\"\n");
-    EXPECT_EQ(environmentFaults(environmentWith("\"fog\": {\"tint\": [[1],{},1]}")), "e.json:4: fog.tint: expected a number, found null\n");
-    EXPECT_EQ(environmentFaults(environmentWith("\"day_of_year\": 1.5")), "e.json:4: day_of_year: 1.5 must be a whole number\n");
+    EXPECT_EQ(environmentFaults(environmentWith("\"fog\": {\"tint\": [1,\"a\",1]}")),
+              "e.json:4: fog.tint: expected a number, found \"a\"\n");
+    EXPECT_EQ(environmentFaults(environmentWith("\"fog\": {\"tint\": [[1],{},1]}")),
+              "e.json:4: fog.tint: expected a number, found null\n");
+    EXPECT_EQ(environmentFaults(environmentWith("\"day_of_year\": 1.5")),
+              "e.json:4: day_of_year: 1.5 must be a whole number\n");
     EXPECT_EQ(environmentFaults(environmentWith("\"tme\": 1")), "e.json:4: tme: unknown key; kept as it is\n");
 }
 
@@ -93,11 +101,12 @@ TEST(EnvironmentFile, HeadersAreChecked)
 TEST(EnvironmentFile, BrokenTextIsRefusedWithItsLine)
 {
     const std::string whole = environmentText(Environment{});
-    for (const std::string& broken : {std::string{}, std::string{"["}, std::string{"{"}, std::string{"{\"a\" 1}"}, std::string{"{} x"},
-                                      std::string{"{\"time\":01}"}, std::string{"{\"time\":tru}"}, std::string{"{\"x\":[[1}]}"},
-                                      std::string{"{\"time\":1.2.3}"}, std::string{"{\"x\":nul}"}, std::string{"{\"x\":\"\xFF\"}"},
-                                      whole.substr(0, whole.size() / 2), whole + "}", std::string(100'000, '['),
-                                      "{\"x\":" + std::string(100'000, '[') + std::string(100'000, ']') + "}"}) {
+    for (const std::string& broken :
+         {std::string{}, std::string{"["}, std::string{"{"}, std::string{"{\"a\" 1}"}, std::string{"{} x"},
+          std::string{"{\"time\":01}"}, std::string{"{\"time\":tru}"}, std::string{"{\"x\":[[1}]}"},
+          std::string{"{\"time\":1.2.3}"}, std::string{"{\"x\":nul}"}, std::string{"{\"x\":\"\xFF\"}"},
+          whole.substr(0, whole.size() / 2), whole + "}", std::string(100'000, '['),
+          "{\"x\":" + std::string(100'000, '[') + std::string(100'000, ']') + "}"}) {
         const std::string fault = environmentFaults(broken);
         EXPECT_TRUE(fault.starts_with("refused: e.json:")) << broken.substr(0, 40) << " -> " << fault;
     }
@@ -139,7 +148,8 @@ TEST(TemplateFile, ComesBackAsItWas)
 
 TEST(ProjectFile, HasASceneATemplateACameraAndAKeyOnALineEach)
 {
-    ProjectBody project{.name = "Valley", .start = "main", .scenes = {{"main", "scenes/main.scene.json"}}, .templates = {"oak", "fir"}};
+    ProjectBody project{
+        .name = "Valley", .start = "main", .scenes = {{"main", "scenes/main.scene.json"}}, .templates = {"oak", "fir"}};
     project.cameras = {{.name = "hill", .eye = {1, 2, 3}}};
     project.paths = {{.name = "tour", .keys = {{.time = 0}, {.time = 2.5, .eye = {4, 5, 6}}}}};
     project.cameras[0].extra.add("lens", "{\"mm\":35}");
@@ -188,7 +198,8 @@ TEST(ProjectFile, UnknownKeysSurviveWhereTheyWere)
                                   "project.json:2: paths.0.loop: unknown key; kept as it is\n"
                                   "project.json:2: input: unknown key; kept as it is\n");
     const std::string written = projectText(*once);
-    for (const char* kept : {"\"mood\": \"calm\"", "\"lens\": {\"mm\":35}", "\"ease\": \"in\"", "\"loop\": true", "\"input\": []"})
+    for (const char* kept :
+         {"\"mood\": \"calm\"", "\"lens\": {\"mm\":35}", "\"ease\": \"in\"", "\"loop\": true", "\"input\": []"})
         EXPECT_NE(written.find(kept), std::string::npos) << kept << " in " << written;
     const Result<ProjectBody> twice = readProjectText(written, "project.json", complaints);
     ASSERT_TRUE(twice);

@@ -33,7 +33,13 @@ Model furnished()
     second.normalScale = 0.5f;
     second.occlusionStrength = 0.25f;
     second.emissive = {0.1f, 0.2f, 0.3f};
-    second.baseColourTexture = {.image = 2, .uvSet = 1, .offset = {0.5f, 0}, .scale = {2, 3}, .rotation = 0.25f, .wrapU = Wrap::Mirror, .wrapV = Wrap::Clamp};
+    second.baseColourTexture = {.image = 2,
+                                .uvSet = 1,
+                                .offset = {0.5f, 0},
+                                .scale = {2, 3},
+                                .rotation = 0.25f,
+                                .wrapU = Wrap::Mirror,
+                                .wrapV = Wrap::Clamp};
     second.normalTexture = {.image = 0};
     second.occlusionTexture = {.image = 0};
     second.metallicRoughnessTexture = {.image = 0};
@@ -60,7 +66,8 @@ Model readBack(const std::string& glb)
 
 const Material* named(const Model& model, const std::string& name)
 {
-    const auto found = std::find_if(model.materials.begin(), model.materials.end(), [&](const Material& m) { return m.name == name; });
+    const auto found =
+        std::find_if(model.materials.begin(), model.materials.end(), [&](const Material& m) { return m.name == name; });
     return found == model.materials.end() ? nullptr : &*found;
 }
 

@@ -37,9 +37,11 @@ TEST(GltfCorpus, ValidFilesLoadOrAreRefusedByName)
         if (read.model) {
             ++loaded;
             expectSound(*read.model, name);
-            EXPECT_EQ(read.complaints.empty(), name != "missing_texture.glb") << name << ": " << listed(read.complaints);
+            EXPECT_EQ(read.complaints.empty(), name != "missing_texture.glb")
+                << name << ": " << listed(read.complaints);
         } else {
-            EXPECT_TRUE(read.refused("EXT_meshopt_compression") || read.refused("KHR_draco_mesh_compression")) << read.model.error().text();
+            EXPECT_TRUE(read.refused("EXT_meshopt_compression") || read.refused("KHR_draco_mesh_compression"))
+                << read.model.error().text();
         }
     }
     EXPECT_GE(loaded, 50);
@@ -64,7 +66,8 @@ TEST(GltfCorpus, SpecialFilesMeanWhatTheySay)
     const Model coloured = *ReadGltf(testData() / "corpus/gltf-valid/gltf-transform/BoxVertexColors.glb").model;
     EXPECT_NE(coloured.vertices[0].colour, glm::u8vec4{255});
     const Model uvs = *ReadGltf(derived / "two_uv_sets_rgba_colours_texture_transform.glb").model;
-    EXPECT_TRUE(std::any_of(uvs.vertices.begin(), uvs.vertices.end(), [](const Vertex& v) { return v.uv1 != glm::vec2{0}; }));
+    EXPECT_TRUE(
+        std::any_of(uvs.vertices.begin(), uvs.vertices.end(), [](const Vertex& v) { return v.uv1 != glm::vec2{0}; }));
 }
 
 // Where triangles face outwards, their geometric normals agree with the vertices' own: also where a parent mirrors.
@@ -74,7 +77,8 @@ TEST(GltfCorpus, FrontsStayFrontsWhereAParentMirrors)
     const Model model = *ReadGltf(testData() / "corpus/gltf-valid/derived/negative_scale_parent.glb").model;
     for (std::size_t i = 0; i < model.indices.size(); i += 3) {
         const auto corner = [&](std::size_t c) { return model.vertices[model.indices[i + c]]; };
-        const glm::vec3 face = glm::cross(corner(1).position - corner(0).position, corner(2).position - corner(0).position);
+        const glm::vec3 face =
+            glm::cross(corner(1).position - corner(0).position, corner(2).position - corner(0).position);
         EXPECT_GT(glm::dot(face, corner(0).normal), 0);
     }
 }
@@ -124,7 +128,8 @@ TEST(GltfCorpus, FilesThatBrokeOtherLoadersBreakNothing)
     NEEDS_TEST_DATA();
     int seen = 0;
     for (const char* from : {"tinygltf", "assimp"}) {
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator{testData() / "corpus/gltf-invalid" / from}) {
+        for (const fs::directory_entry& entry :
+             fs::recursive_directory_iterator{testData() / "corpus/gltf-invalid" / from}) {
             if (!isModel(entry.path())) continue;
             const ReadGltf read{entry.path()};
             if (read.model) expectSound(*read.model, entry.path().string());
@@ -159,8 +164,11 @@ TEST(Gltf, HugeFilesEndSoonAndWhole)
     put(folder / "deep.gltf", kHead + "\"extras\":" + std::string(2'000'000, '['));
     EXPECT_TRUE(ReadGltf(folder / "deep.gltf").refused("nested more than 64 deep"));
 
-    std::string name = kHead + R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"materials":[{"name":")" + std::string(10'000'000, 'x') + "\"}],";
-    put(folder / "name.gltf", name + R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]}],)" + kTriangle + "}");
+    std::string name = kHead + R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"materials":[{"name":")" +
+                       std::string(10'000'000, 'x') + "\"}],";
+    put(folder / "name.gltf",
+        name + R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]}],)" + kTriangle +
+            "}");
     const ReadGltf named{folder / "name.gltf"};
     ASSERT_TRUE(named.model);
     EXPECT_EQ(named.model->materials[0].name.size(), 256u);
@@ -178,9 +186,11 @@ TEST(Gltf, AModelMayNameFilesElsewhereInTheProjectButNotOutside)
     NEEDS_TEST_DATA();
     const TemporaryFolder outer;
     const fs::path root = outer / "project";
-    const std::string text = kHead + R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],)" +
-                             R"("textures":[{"source":0}],"images":[{"uri":"../textures/a%20b.png"}],)" +
-                             R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]}],)" + kTriangle + "}";
+    const std::string text =
+        kHead +
+        R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],)" +
+        R"("textures":[{"source":0}],"images":[{"uri":"../textures/a%20b.png"}],)" +
+        R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]}],)" + kTriangle + "}";
     put(root / "models/m.gltf", text);
     const std::string png = get(testData() / "corpus/images-bad/handmade/png16-ok.png");
     put(root / "textures/a b.png", png);
@@ -198,7 +208,9 @@ TEST(Gltf, AModelMayNameFilesElsewhereInTheProjectButNotOutside)
 TEST(Gltf, ComplaintsOfOneFileAreCapped)
 {
     const TemporaryFolder folder;
-    std::string text = kHead + R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1})";
+    std::string text =
+        kHead +
+        R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1})";
     for (int i = 0; i < 500; ++i)
         text += R"(,{"attributes":{"POSITION":0},"mode":0})";
     put(folder / "m.gltf", text + "]}]," + kTriangle + "}");
@@ -215,7 +227,8 @@ TEST(Gltf, TangentsFollowTheTexture)
         Model square = boxModel(glm::vec3{1}, glm::vec4{1});
         square.vertices.clear();
         for (const glm::vec2 corner : {glm::vec2{0, 0}, {1, 0}, {1, 1}, {0, 1}})
-            square.vertices.push_back({.position = {corner, 0}, .normal = {0, 0, 1}, .uv0 = {corner.x * side, 1 - corner.y}});
+            square.vertices.push_back(
+                {.position = {corner, 0}, .normal = {0, 0, 1}, .uv0 = {corner.x * side, 1 - corner.y}});
         square.indices = {0, 1, 2, 0, 2, 3};
         square.parts = {{0, 6, 0}};
         put(folder / "m.glb", *encodeGlb(square)); // without a normal map no tangents are written
@@ -235,8 +248,10 @@ TEST(Gltf, StripsAndFansBecomeTriangles)
         R"("accessors":[{"bufferView":0,"componentType":5126,"count":5,"type":"VEC3"}])";
     const auto write = [&](const std::vector<glm::vec3>& corners, int mode) {
         put(folder / "c.bin", {reinterpret_cast<const char*>(corners.data()), 60});
-        put(folder / "m.gltf", kHead + R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":)" +
-                                   std::to_string(mode) + "}]}]," + data + "}");
+        put(folder / "m.gltf",
+            kHead +
+                R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":)" +
+                std::to_string(mode) + "}]}]," + data + "}");
         return ReadGltf{folder / "m.gltf"};
     };
     for (const ReadGltf& read : {write({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 2, 0}}, 5),

@@ -13,7 +13,10 @@ const Terrain kAndes{.metresPerTexel = 90, .origin = {-100, -200}, .minHeight = 
 struct ReadMap {
     Complaints complaints;
     Result<HeightMap> map;
-    explicit ReadMap(const fs::path& file, const Terrain& terrain = kAndes) : map{readHeightMap(file, terrain, complaints)} {}
+    explicit ReadMap(const fs::path& file, const Terrain& terrain = kAndes)
+        : map{readHeightMap(file, terrain, complaints)}
+    {
+    }
 };
 
 TEST(HeightMapFile, MeasuredGroundHasItsMetres)
@@ -104,10 +107,10 @@ TEST(HeightMapFile, EdgeCasesEndWell)
     EXPECT_FALSE(ReadMap(edge / "u16-257.r16").map); // raw numbers say nothing of their size
     EXPECT_FALSE(ReadMap(edge / "missing.png").map);
     EXPECT_EQ(ReadMap(edge / "float32-huge-1e38.tif").map.error().what, "a height map without a single height");
-    for (const char* name : {"bigendian-u16.tif", "float32-inf.tif", "float32-nan-patch.tif",
-                             "float32-nodata-minus9999.tif", "float64.tif", "int16-void-32768.tif", "rgb-257.png", "u16-257.png",
-                             "u16-257x2.png", "u16-flat.png", "u16-nonsquare-257x200.png", "u8-257.png", "u8-jpeg-artifacts.jpg",
-                             "uint32.tif"}) {
+    for (const char* name :
+         {"bigendian-u16.tif", "float32-inf.tif", "float32-nan-patch.tif", "float32-nodata-minus9999.tif",
+          "float64.tif", "int16-void-32768.tif", "rgb-257.png", "u16-257.png", "u16-257x2.png", "u16-flat.png",
+          "u16-nonsquare-257x200.png", "u8-257.png", "u8-jpeg-artifacts.jpg", "uint32.tif"}) {
         const ReadMap read{edge / name, plain};
         ASSERT_TRUE(read.map) << name << ": " << read.map.error().text();
         for (const float metres : read.map->metres)
@@ -115,9 +118,11 @@ TEST(HeightMapFile, EdgeCasesEndWell)
         EXPECT_LE(read.map->min, read.map->max);
     }
     EXPECT_EQ(listed(ReadMap(edge / "u16-257.png", plain).complaints), "");
-    EXPECT_NE(listed(ReadMap(edge / "float32-nan-patch.tif", plain).complaints).find("heights are missing"), std::string::npos);
+    EXPECT_NE(listed(ReadMap(edge / "float32-nan-patch.tif", plain).complaints).find("heights are missing"),
+              std::string::npos);
     EXPECT_NE(listed(ReadMap(edge / "rgb-257.png", plain).complaints).find("first channel"), std::string::npos);
-    EXPECT_NE(listed(ReadMap(edge / "u8-257.png", plain).complaints).find("8 bits make steps of 257 m"), std::string::npos);
+    EXPECT_NE(listed(ReadMap(edge / "u8-257.png", plain).complaints).find("8 bits make steps of 257 m"),
+              std::string::npos);
 }
 
 TEST(HeightMapFile, ByteOrderIsNoMatter)

@@ -14,8 +14,7 @@ namespace {
 
 using namespace std::string_literals;
 
-template <class T>
-Image gradient(glm::ivec2 size, int channels, PixelType type, T step)
+template <class T> Image gradient(glm::ivec2 size, int channels, PixelType type, T step)
 {
     Image image{.size = size, .channels = channels, .type = type};
     image.bytes.resize(image.rowBytes() * std::size_t(size.y));
@@ -106,7 +105,8 @@ TEST(Image, FormatIsToldByTheFirstBytesNotTheName)
     EXPECT_EQ(imageFormat("MM\0*"s), "tiff");
     EXPECT_EQ(imageFormat("GIF89a"), "");
     EXPECT_EQ(imageFormat(""), "");
-    EXPECT_EQ(decodeImage("BM stranger", "a.png").error().text(), "a.png: not an image that Wold reads (PNG, JPEG, TIFF, EXR, HDR, DDS)");
+    EXPECT_EQ(decodeImage("BM stranger", "a.png").error().text(),
+              "a.png: not an image that Wold reads (PNG, JPEG, TIFF, EXR, HDR, DDS)");
 }
 
 TEST(Image, MetadataIsLeftOutAndPixelsStay)
@@ -114,7 +114,7 @@ TEST(Image, MetadataIsLeftOutAndPixelsStay)
     const Image image = gradient<std::uint8_t>({4, 4}, 3, PixelType::U8, 5);
     std::string png = *encodePng(image);
     const std::string text = "\0\0\0\5tEXtab\0cdXXXX"s; // its checksum is wrong: a decoder would say so
-    png.insert(33, text);                              // behind IHDR
+    png.insert(33, text);                               // behind IHDR
     const std::string clean = withoutMetadata(png);
     EXPECT_EQ(clean.find("tEXt"), std::string::npos);
     EXPECT_TRUE(same(*decodeImage(png, "x"), image));
@@ -135,8 +135,10 @@ TEST(Image, SizesAreRefusedFromTheHeader)
 {
     NEEDS_TEST_DATA();
     const fs::path bad = testData() / "corpus/images-bad/handmade";
-    EXPECT_NE(readImage(bad / "png-60000x60000-nodata.png").error().what.find("a side may have at most 16384"), std::string::npos);
-    EXPECT_NE(readImage(bad / "png16-20000x20000-zeros-bomb.png").error().what.find("a side may have at most"), std::string::npos);
+    EXPECT_NE(readImage(bad / "png-60000x60000-nodata.png").error().what.find("a side may have at most 16384"),
+              std::string::npos);
+    EXPECT_NE(readImage(bad / "png16-20000x20000-zeros-bomb.png").error().what.find("a side may have at most"),
+              std::string::npos);
     EXPECT_FALSE(readImage(bad / "tiff-100000x100000.tif"));
     EXPECT_FALSE(readImage(bad / "hdr-huge.hdr"));
     EXPECT_FALSE(readImage(bad / "empty.png"));

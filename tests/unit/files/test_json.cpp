@@ -92,14 +92,16 @@ TEST(Json, ParsesWhatItWrites)
 
 TEST(Json, IndentedTextKeepsListsOfAtomsOnALine)
 {
-    const Value value = Value::Object{{"list", Value::Array{1, 2}}, {"empty", Value::Object{}}, {"deep", Value::Array{Value::Array{}}}};
+    const Value value =
+        Value::Object{{"list", Value::Array{1, 2}}, {"empty", Value::Object{}}, {"deep", Value::Array{Value::Array{}}}};
     EXPECT_EQ(writeJson(value, 2), "{\n  \"list\": [1, 2],\n  \"empty\": {},\n  \"deep\": [\n    []\n  ]\n}");
 }
 
 TEST(Json, FaultsNameTheLine)
 {
     EXPECT_EQ(faultOf("{\n\"a\": 1,\n\"a\": 2}"), "a.json:3: a: the key appears twice; remove one");
-    EXPECT_TRUE(faultOf("{\n\"a\": 1\n\"b\": 2}").starts_with("a.json:3: not valid JSON:")) << faultOf("{\n\"a\": 1\n\"b\": 2}");
+    EXPECT_TRUE(faultOf("{\n\"a\": 1\n\"b\": 2}").starts_with("a.json:3: not valid JSON:"))
+        << faultOf("{\n\"a\": 1\n\"b\": 2}");
     EXPECT_TRUE(faultOf("").starts_with("a.json:1: "));
     EXPECT_TRUE(faultOf("[1,2").starts_with("a.json:1: "));
     EXPECT_TRUE(faultOf("\"\xFF\"").starts_with("a.json:1: "));

@@ -20,7 +20,10 @@ namespace {
 World sampleWorld(const fs::path& folder)
 {
     World world;
-    world.project = {.folder = folder, .name = "sample", .scenes = {{"main", "scenes/main.scene.json"}, {"night", "scenes/night.scene.json"}}, .start = "main"};
+    world.project = {.folder = folder,
+                     .name = "sample",
+                     .scenes = {{"main", "scenes/main.scene.json"}, {"night", "scenes/night.scene.json"}},
+                     .start = "main"};
     world.entry = world.project.scenes[0];
     world.environmentFile = "environments/day.json";
     Scene& scene = world.scene;
@@ -62,7 +65,9 @@ void writeSample(const fs::path& folder)
 struct Opened {
     Complaints complaints;
     Result<World> world;
-    explicit Opened(const fs::path& project, std::string_view scene = {}) : world{openWorld(project, scene, complaints)} {}
+    explicit Opened(const fs::path& project, std::string_view scene = {}) : world{openWorld(project, scene, complaints)}
+    {
+    }
 };
 
 std::map<std::string, std::string> filesIn(const fs::path& folder)
@@ -130,7 +135,8 @@ TEST(Project, FilesLaidOutByHandStayUntilTheyChange)
 {
     const TemporaryFolder folder;
     writeSample(folder.path());
-    const std::string byHand = "{ \"format\": \"wold-template\", \"version\": 1, \"category\": \"Things\", \"model\": \"models/box.glb\" }";
+    const std::string byHand =
+        "{ \"format\": \"wold-template\", \"version\": 1, \"category\": \"Things\", \"model\": \"models/box.glb\" }";
     put(folder / "templates/box.json", byHand);
     Opened opened{folder.path()};
     opened.world->scene.exchange(ObjectId{2}, std::nullopt);
@@ -152,7 +158,8 @@ TEST(Project, DamagedSmallFilesAreComplainedOfAndNotOverwritten)
     put(folder / "environments/day.json", "{ broken too");
     Opened opened{folder.path()};
     ASSERT_TRUE(opened.world) << opened.world.error().text();
-    EXPECT_EQ(errorsIn(opened.complaints), 3) << listed(opened.complaints); // both files, and the objects of the template
+    EXPECT_EQ(errorsIn(opened.complaints), 3)
+        << listed(opened.complaints); // both files, and the objects of the template
     EXPECT_EQ(opened.world->scene.objects().size(), 3u);
     opened.world->scene.exchange(ObjectId{3}, std::nullopt);
     ASSERT_TRUE(saveWorld(*opened.world));
@@ -172,7 +179,8 @@ TEST(Project, WhatCannotBeOpenedSaysWhy)
     fs::remove(folder / "scenes/night.scene.json");
     EXPECT_FALSE(Opened(folder.path(), "night").world);
     put(folder / "scenes/main.scene.json", "{\n\"objects\": [\n}");
-    EXPECT_TRUE(Opened(folder.path()).world.error().text().starts_with((folder / "scenes/main.scene.json").string() + ":3: "))
+    EXPECT_TRUE(
+        Opened(folder.path()).world.error().text().starts_with((folder / "scenes/main.scene.json").string() + ":3: "))
         << Opened(folder.path()).world.error().text();
     put(folder / "project.json", "[]");
     EXPECT_FALSE(Opened(folder.path()).world);
@@ -232,7 +240,8 @@ TEST(Project, ASaveThatIsKilledLeavesOldOrNew)
         ::waitpid(child, nullptr, 0);
         const Opened opened{folder.path()};
         ASSERT_TRUE(opened.world) << opened.world.error().text();
-        EXPECT_TRUE(sameContent(opened.world->scene, old.scene) || sameContent(opened.world->scene, changed.scene)) << microseconds;
+        EXPECT_TRUE(sameContent(opened.world->scene, old.scene) || sameContent(opened.world->scene, changed.scene))
+            << microseconds;
         EXPECT_EQ(listed(opened.complaints), "");
     }
 }

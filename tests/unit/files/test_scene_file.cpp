@@ -123,8 +123,9 @@ TEST(SceneFile, UnknownKeysOfTheSceneAndItsTerrainSurvive)
 
 TEST(SceneFile, ObjectsMayComeInAnyOrderAndLayout)
 {
-    const Read read{"{\"objects\":[{\"position\":[1,0,0],\"template\":\"oak\",\n\"id\":9}\n,{\"id\":2,\"template\":\"rock\"}],"
-                    "\"environment\":\"e\",\"version\":1,\"format\":\"wold-scene\"}"};
+    const Read read{
+        "{\"objects\":[{\"position\":[1,0,0],\"template\":\"oak\",\n\"id\":9}\n,{\"id\":2,\"template\":\"rock\"}],"
+        "\"environment\":\"e\",\"version\":1,\"format\":\"wold-scene\"}"};
     EXPECT_EQ(read.faults(), "");
     EXPECT_EQ(read.scene.at(ObjectId{9}).transform.position.x, 1);
 }
@@ -139,11 +140,14 @@ TEST(SceneFile, FaultsOfObjectsAreNamedWithTheirLine)
               "s.json:2: position: 100000000 is outside -10000000 to 10000000 m\n");
     EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":"oak","position":[1e999,0,0]})")}.faults(),
               "s.json:2: position: must be a finite number\n");
-    EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":"oak","scale":[1,0,1]})")}.faults(), "s.json:2: scale: 0 is too small; made 0.000001\n");
-    EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":7})")}.faults(), "s.json:2: template: expected a text in quotes, found 7\n");
+    EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":"oak","scale":[1,0,1]})")}.faults(),
+              "s.json:2: scale: 0 is too small; made 0.000001\n");
+    EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":7})")}.faults(),
+              "s.json:2: template: expected a text in quotes, found 7\n");
     EXPECT_EQ(Read{sceneOf(R"({"id":-1,"template":"oak"})")}.faults().substr(0, 15), "s.json:2: id: -");
-    EXPECT_EQ(Read{sceneOf(R"({"id":4294967296,"template":"oak"})")}.faults(), "s.json:2: id: 4294967296 is too large\n"
-                                                                              "s.json:2: id: missing; the object gets a new one\n");
+    EXPECT_EQ(Read{sceneOf(R"({"id":4294967296,"template":"oak"})")}.faults(),
+              "s.json:2: id: 4294967296 is too large\n"
+              "s.json:2: id: missing; the object gets a new one\n");
     EXPECT_EQ(Read{sceneOf("5")}.faults(), "s.json:2: objects: expected an object in braces; left out\n");
     EXPECT_EQ(Read{R"({"format":"wold-scene","version":1,"environment":"e","objects":{}})"}.faults(),
               "s.json:1: objects: expected a list in brackets\n");
@@ -152,7 +156,8 @@ TEST(SceneFile, FaultsOfObjectsAreNamedWithTheirLine)
 TEST(SceneFile, AnUnknownTemplateMakesAnEmptySlotAndIsNamedOnce)
 {
     const Read read{sceneOf("{\"id\":1,\"template\":\"yew\"},\n{\"id\":2,\"template\":\"yew\"}")};
-    EXPECT_EQ(read.faults(), "s.json:2: template: \"yew\" is no template of this project; add it, or the objects stay empty places\n");
+    EXPECT_EQ(read.faults(),
+              "s.json:2: template: \"yew\" is no template of this project; add it, or the objects stay empty places\n");
     const TemplateId yew = read.scene.findTemplate("yew");
     EXPECT_EQ(read.scene.find(yew), nullptr);
     EXPECT_EQ(read.scene.at(ObjectId{2}).templateId, yew);
@@ -169,9 +174,10 @@ TEST(SceneFile, ObjectsWithoutIdGetFreshOnes)
 
 TEST(SceneFile, ParentsThatAreMissingOrCircularAreRemoved)
 {
-    const Read read{sceneOf("{\"id\":1,\"template\":\"\",\"parent\":2},\n{\"id\":2,\"template\":\"\",\"parent\":3},\n"
-                            "{\"id\":3,\"template\":\"\",\"parent\":1},\n{\"id\":4,\"template\":\"oak\",\"parent\":1},\n"
-                            "{\"id\":5,\"template\":\"oak\",\"parent\":99},\n{\"id\":6,\"template\":\"oak\",\"parent\":6}")};
+    const Read read{
+        sceneOf("{\"id\":1,\"template\":\"\",\"parent\":2},\n{\"id\":2,\"template\":\"\",\"parent\":3},\n"
+                "{\"id\":3,\"template\":\"\",\"parent\":1},\n{\"id\":4,\"template\":\"oak\",\"parent\":1},\n"
+                "{\"id\":5,\"template\":\"oak\",\"parent\":99},\n{\"id\":6,\"template\":\"oak\",\"parent\":6}")};
     EXPECT_EQ(read.faults(), "s.json:6: parent: 99 is no object of this scene; removed\n"
                              "s.json:2: parent: 2 makes a circle of parents; removed\n"
                              "s.json:7: parent: 6 makes a circle of parents; removed\n");

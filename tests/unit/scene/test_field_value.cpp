@@ -54,7 +54,8 @@ TEST(FieldValue, FaultsNameTheKeyAndWhatIsExpected)
     EXPECT_EQ(faultOf(setField(e, "time", 30)), "time: 30 is outside 0 to 24 h");
     EXPECT_EQ(faultOf(setField(e, "sun.mode", "noon")), "sun.mode: expected time or manual, found \"noon\"");
     EXPECT_EQ(faultOf(setField(e, "shadows.cascades", 2.5)), "shadows.cascades: 2.5 must be a whole number");
-    EXPECT_EQ(faultOf(setField(e, "fog.tint", Value::Array{1, 2})), "fog.tint: expected 3 numbers in brackets, found a list of 2");
+    EXPECT_EQ(faultOf(setField(e, "fog.tint", Value::Array{1, 2})),
+              "fog.tint: expected 3 numbers in brackets, found a list of 2");
     EXPECT_EQ(faultOf(setField(e, "time", "6,5")), "time: expected a number, found \"6,5\"");
     EXPECT_EQ(faultOf(setField(e, "time", "nan")), "time: must be a finite number");
     EXPECT_EQ(faultOf(setField(e, "time", nullptr)), "time: expected a number, found null");

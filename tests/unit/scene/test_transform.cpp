@@ -23,7 +23,8 @@ TEST(Transform, YawTurnsCounterClockwiseSeenFromAbove)
 
 TEST(Transform, AnglesComeBackWithinTheirRange)
 {
-    for (const glm::vec3& degrees : {glm::vec3{10, 20, 30}, {-80, 170, -175}, {45, -120, 90}, {0, 180, 0}, {0, 0, -179}}) {
+    for (const glm::vec3& degrees :
+         {glm::vec3{10, 20, 30}, {-80, 170, -175}, {45, -120, 90}, {0, 180, 0}, {0, 0, -179}}) {
         const glm::vec3 back = eulerDegrees(orientation(degrees));
         EXPECT_NEAR(back.x, degrees.x, 1e-4);
         EXPECT_NEAR(back.y, degrees.y, 1e-4);
