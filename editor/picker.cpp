@@ -4,6 +4,7 @@
 #include "editor/terrain_ray.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace editor {
 
@@ -60,15 +61,27 @@ PickHit Picker::pick(const io::Ray& ray, const PickOptions& options) const
     if (options.objects) {
         std::vector<io::ObjectId> skip(options.skip.begin(), options.skip.end());
         std::ranges::sort(skip);
-        if (const PickHit object = m_state->objects.hit(ray, reach, skip); object && object.distance <= reach)
+        if (const PickHit object = m_state->objects.hit(ray, reach, skip, options.pixelWidth);
+            object && object.distance <= reach)
             best = object;
     }
     return best;
 }
 
-PickHit Picker::pick(const View& view, glm::dvec2 pixel, const PickOptions& options) const
+double pixelWidth(const View& view)
 {
+    return 2 * std::tan(glm::radians(double(view.camera.fov)) / 2) / std::max(view.size.y, 1);
+}
+
+PickHit Picker::pick(const View& view, glm::dvec2 pixel, PickOptions options) const
+{
+    options.pixelWidth = editor::pixelWidth(view);
     return pick(rayThrough(view, pixel), options);
+}
+
+std::vector<PickHit> Picker::pickAll(const View& view, glm::dvec2 pixel, std::size_t max) const
+{
+    return pickAll(rayThrough(view, pixel), max, {.pixelWidth = editor::pixelWidth(view)});
 }
 
 std::vector<PickHit> Picker::pickAll(const io::Ray& ray, std::size_t max, const PickOptions& options) const

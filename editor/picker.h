@@ -32,7 +32,10 @@ struct PickOptions {
     bool objects = true;
     bool terrain = true;
     double maxDistance = 1e7; // m
+    double pixelWidth = 0; // m, of a pixel at 1 m: leaves are then judged as the picture shows them, blurred far away
 };
+
+double pixelWidth(const View& view);
 
 // Pixels from the top left; the corners in any order.
 struct PixelRect {
@@ -53,9 +56,10 @@ public:
     bool boxesOnly() const;
 
     PickHit pick(const io::Ray& ray, const PickOptions& options = {}) const;
-    PickHit pick(const View& view, glm::dvec2 pixel, const PickOptions& options = {}) const;
+    PickHit pick(const View& view, glm::dvec2 pixel, PickOptions options = {}) const; // sets pixelWidth
     // The nearest hit of each object, and of the ground, near to far.
     std::vector<PickHit> pickAll(const io::Ray& ray, std::size_t max = 32, const PickOptions& options = {}) const;
+    std::vector<PickHit> pickAll(const View& view, glm::dvec2 pixel, std::size_t max = 32) const; // with pixelWidth
 
     // Objects whose middle is seen inside the rectangle, sorted by id. With `seen` (ids that the rectangle shows,
     // as Renderer::readIds) it is exactly those of them that exist, so nothing that is hidden.

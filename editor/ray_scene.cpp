@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <embree3/rtcore.h>
+#include <map>
 #include <unordered_map>
 
 namespace editor {
@@ -25,21 +26,26 @@ using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseDevice>;
 using Tree = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseScene>;
 using Geometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, ReleaseGeometry>;
 
-// One part of a model: what the filter asks when a ray meets one of its triangles.
-struct PartOfMesh {
-    const io::Model* model = nullptr;
-    const io::Material* material = nullptr;
-    std::uint32_t firstIndex = 0;
-};
-
 // The triangles of one model, shared by all its instances. The buffers of the model are used in place.
 struct Mesh {
     std::shared_ptr<const io::Model> model;
-    std::vector<PartOfMesh> parts;
+    std::vector<PartOfModel> parts;
+    std::map<std::pair<const io::Image*, float>, AlphaMips> mips; // by image and cutoff; stay where they are
     Tree tree;
 };
 
-const io::Material kPlain{.doubleSided = false};
+const io::Material kPlain;
+
+// Null where no texture's alpha counts.
+AlphaMips* mipsOf(Mesh& mesh, const io::Material& material)
+{
+    const int number = material.baseColourTexture.image;
+    if (material.alphaMode == io::AlphaMode::Opaque || number < 0 || std::size_t(number) >= mesh.model->images.size())
+        return nullptr;
+    const auto& image = mesh.model->images[std::size_t(number)];
+    if (!image) return nullptr;
+    return &mesh.mips.try_emplace({image.get(), material.alphaCutoff}, image, material.alphaCutoff).first->second;
+}
 
 std::shared_ptr<Mesh> makeMesh(RTCDevice device, std::shared_ptr<const io::Model> model)
 {
@@ -52,7 +58,8 @@ std::shared_ptr<Mesh> makeMesh(RTCDevice device, std::shared_ptr<const io::Model
     for (const io::Part& part : source.parts) {
         if (part.indexCount < 3) continue;
         const bool known = part.material >= 0 && std::size_t(part.material) < source.materials.size();
-        mesh->parts.push_back({&source, known ? &source.materials[part.material] : &kPlain, part.firstIndex});
+        const io::Material& material = known ? source.materials[std::size_t(part.material)] : kPlain;
+        mesh->parts.push_back({&source, &material, part.firstIndex, mipsOf(*mesh, material)});
         const Geometry geometry{rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE)};
         // Embree reads 16 bytes at each position; a Vertex is longer, so the last one is safe too.
         static_assert(sizeof(io::Vertex) >= 16 && offsetof(io::Vertex, position) == 0);
@@ -83,6 +90,7 @@ struct Instance {
     io::ObjectId id = io::ObjectId::None; // None: a free place
     io::TemplateId templateId = io::TemplateId::None;
     io::Transform transform;
+    glm::mat3 linear{1}; // of the transform
     io::WorldBox bounds;
     Geometry geometry;
 };
@@ -90,11 +98,24 @@ struct Instance {
 struct Query : RTCIntersectContext {
     const std::vector<Instance>* instances = nullptr;
     std::span<const io::ObjectId> skip;
+    glm::vec3 direction{0};
+    float pixelWidth = 0; // m, at 1 m
 };
 
 glm::vec3 corner(const io::Model& model, std::size_t index)
 {
     return model.vertices[model.indices[index]].position;
+}
+
+// How far a pixel reaches on the triangle that was met.
+PixelSteps stepsOf(const Query& query, const Instance& instance, const PartOfModel& part, std::size_t first,
+                   float distance)
+{
+    if (query.pixelWidth <= 0 || !part.mips) return {};
+    const glm::vec3 a = corner(*part.model, first);
+    return pixelSteps(instance.linear * (corner(*part.model, first + 1) - a),
+                      instance.linear * (corner(*part.model, first + 2) - a), query.direction,
+                      query.pixelWidth * distance);
 }
 
 // Rejects hits that nobody sees: back faces, holes in leaves, and what the caller skips.
@@ -103,11 +124,12 @@ void filter(const RTCFilterFunctionNArguments* arguments)
     EXPECTS(arguments->N == 1);
     if (arguments->valid[0] != -1) return;
     const auto& query = *static_cast<const Query*>(arguments->context);
-    const auto& part = *static_cast<const PartOfMesh*>(arguments->geometryUserPtr);
-    const unsigned instance = query.instID[0];
-    const std::size_t first = part.firstIndex + std::size_t(3) * RTCHitN_primID(arguments->hit, 1, 0);
+    const auto& part = *static_cast<const PartOfModel*>(arguments->geometryUserPtr);
+    const Instance& instance = (*query.instances)[query.instID[0]];
+    const std::size_t triangle = RTCHitN_primID(arguments->hit, 1, 0);
+    const std::size_t first = part.firstIndex + 3 * triangle;
 
-    bool seen = !std::ranges::binary_search(query.skip, (*query.instances)[instance].id);
+    bool seen = !std::ranges::binary_search(query.skip, instance.id);
     if (seen && !part.material->doubleSided) {
         // Inside an instance Embree holds the ray in the model's own space.
         const glm::vec3 direction{RTCRayN_dir_x(arguments->ray, 1, 0), RTCRayN_dir_y(arguments->ray, 1, 0),
@@ -117,8 +139,8 @@ void filter(const RTCFilterFunctionNArguments* arguments)
         seen = glm::dot(normal, direction) < 0;
     }
     if (seen)
-        seen = seenAt(*part.model, *part.material, first,
-                      {RTCHitN_u(arguments->hit, 1, 0), RTCHitN_v(arguments->hit, 1, 0)});
+        seen = seenAt(part, triangle, {RTCHitN_u(arguments->hit, 1, 0), RTCHitN_v(arguments->hit, 1, 0)},
+                      stepsOf(query, instance, part, first, RTCRayN_tfar(arguments->ray, 1, 0)));
     if (!seen) arguments->valid[0] = 0;
 }
 
@@ -194,7 +216,7 @@ struct RayScene::State {
     void place(Instance& instance)
     {
         const io::Transform& t = instance.transform;
-        const glm::mat3 linear = io::linearPart(t);
+        const glm::mat3& linear = instance.linear = io::linearPart(t);
         const glm::vec3 position{t.position - anchor};
         float matrix[12];
         for (int column = 0; column < 3; ++column)
@@ -324,7 +346,7 @@ bool RayScene::boxesOnly() const
     return m_state->boxesOnly;
 }
 
-PickHit RayScene::hit(const io::Ray& ray, double maxDistance, std::span<const io::ObjectId> skip)
+PickHit RayScene::hit(const io::Ray& ray, double maxDistance, std::span<const io::ObjectId> skip, double pixelWidth)
 {
     State& s = *m_state;
     if (s.placeOf.empty()) return {};
@@ -335,6 +357,8 @@ PickHit RayScene::hit(const io::Ray& ray, double maxDistance, std::span<const io
     query.filter = filter;
     query.instances = &s.instances;
     query.skip = skip;
+    query.direction = glm::vec3{ray.direction};
+    query.pixelWidth = float(pixelWidth);
     const glm::vec3 origin{ray.origin - s.anchor};
     const glm::vec3 direction{ray.direction};
     if (!std::isfinite(glm::dot(origin, origin)) || !std::isfinite(glm::dot(direction, direction))) return {};
@@ -358,7 +382,7 @@ PickHit RayScene::hit(const io::Ray& ray, double maxDistance, std::span<const io
 
     const Instance& instance = s.instances[found.hit.instID[0]];
     const Mesh& mesh = *s.shownMesh(s.templates[io::number(instance.templateId) - 1]);
-    const PartOfMesh& part = mesh.parts[found.hit.geomID];
+    const PartOfModel& part = mesh.parts[found.hit.geomID];
     const std::size_t first = part.firstIndex + std::size_t(3) * found.hit.primID;
     PickHit hit{
         .surface = Surface::Object, .id = instance.id, .templateId = instance.templateId, .distance = found.ray.tfar};

@@ -20,8 +20,8 @@ public:
     void setBoxesOnly(bool boxesOnly);
     bool boxesOnly() const;
 
-    // `skip` is sorted. The tree over all instances is brought up to date first.
-    PickHit hit(const io::Ray& ray, double maxDistance, std::span<const io::ObjectId> skip);
+    // `skip` is sorted; `pixelWidth` as in PickOptions. The tree over all instances is brought up to date first.
+    PickHit hit(const io::Ray& ray, double maxDistance, std::span<const io::ObjectId> skip, double pixelWidth);
 
     bool holds(io::ObjectId id) const;
     io::WorldBox bounds(io::ObjectId id) const;

@@ -94,7 +94,7 @@ Answer pick(Script& script, Arguments& arguments)
     const io::Scene& scene = script.document().scene();
     if (!all) return describe(script.picker().pick(script.view(), *pixel), scene);
     io::Value::Array hits;
-    for (const PickHit& hit : script.picker().pickAll(rayThrough(script.view(), *pixel)))
+    for (const PickHit& hit : script.picker().pickAll(script.view(), *pixel))
         hits.push_back(describe(hit, scene));
     return io::Value::Object{{"hits", std::move(hits)}};
 }

@@ -19,7 +19,7 @@ const char* dragName(GizmoMode mode)
 
 void Viewport::click(Editor& editor)
 {
-    const std::vector<PickHit> hits = editor.picker().pickAll(rayThrough(view(), pointer()));
+    const std::vector<PickHit> hits = editor.picker().pickAll(view(), pointer());
     const PickHit hit = m_cycle.next(hits, pointer());
     Selection& selection = editor.selection();
     editor.inspectTemplate = false;

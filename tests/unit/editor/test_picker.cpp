@@ -39,7 +39,10 @@ void bruteForce(const io::Object& object, const io::Model& model, const io::Ray&
         const double edge = std::min({u, v, 1 - u - v});
         if (edge < -1e-4 || t < 0 || t >= best.distance) continue;
         const auto seen = [&](double du, double dv) {
-            return seenAt(model, material, i, {float(u + du), float(v + dv)});
+            const bool cut = material.baseColourTexture.image >= 0;
+            AlphaMips mips{cut ? model.images[0] : nullptr, material.alphaCutoff};
+            return seenAt({.model = &model, .material = &material, .mips = cut ? &mips : nullptr}, i / 3,
+                          {float(u + du), float(v + dv)});
         };
         const bool here = seen(0, 0);
         const bool sure = edge > 1e-4 && here == seen(1e-3, 0) && here == seen(0, 1e-3) && here == seen(-1e-3, -1e-3);
@@ -142,6 +145,60 @@ TEST(Picker, ALeafIsHitWhereItIsSeenOnly)
     EXPECT_FALSE(at(3.8, 0.2)); // the corner of the card is see-through
     EXPECT_FALSE(at(-3.5, 7.5));
     EXPECT_FALSE(at(0.1, 0.1));
+}
+
+// Stripes a texel wide are seen one by one from near, and as one blurred leaf from where a pixel covers many.
+TEST(Picker, FarAwayALeafIsAsSolidAsItIsDrawn)
+{
+    auto stripes = std::make_shared<io::Image>();
+    stripes->size = {64, 64};
+    stripes->bytes.resize(64 * 64 * 4, std::byte{255});
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; x += 2)
+            stripes->row<std::uint8_t>(y)[x * 4 + 3] = 0;
+    io::Model card = test::leafCard(8);
+    card.images = {stripes};
+    io::World world;
+    world.scene.exchange(world.scene.templateSlot("card"), io::Template{.name = "card"});
+    io::Assets assets;
+    assets.models.push_back(std::make_shared<const io::Model>(std::move(card)));
+    Document document{std::move(world), std::move(assets)};
+    addObjects(document, "Add", {{.id = document.freshId(), .templateId = io::TemplateId{1}}});
+    Picker picker;
+    test::followed(picker, document);
+
+    const auto hits = [&](double distance) { // of rays across the card, as a camera at that distance sends them
+        const View view{.camera = {.eye = {0.01, 4, distance}}, .size = {1280, 720}};
+        int count = 0;
+        for (int i = 0; i < 200; ++i) {
+            const glm::dvec3 aim{-3.9 + 0.035 * i, 4.1, 0};
+            count += bool(picker.pick(view, *project(view, aim)));
+        }
+        return count;
+    };
+    EXPECT_NEAR(hits(5), 100, 20);
+    EXPECT_EQ(hits(300), 200);
+}
+
+TEST(AlphaMips, DoNotThinOut)
+{
+    auto image = std::make_shared<io::Image>();
+    image->size = {256, 128};
+    image->bytes.resize(std::size_t(256) * 128 * 4);
+    Random random{2};
+    for (int y = 0; y < 128; ++y)
+        for (int x = 0; x < 256; ++x) // spots of 4 x 4 texels, a fifth of them opaque
+            image->row<std::uint8_t>(y)[x * 4 + 3] = Random{std::uint64_t(y / 4 * 1000 + x / 4)}.unit() < 0.2 ? 255 : 0;
+    AlphaMips mips{image, 0.5f};
+    for (const float lod : {0.0f, 1.0f, 2.0f, 3.0f, 4.0f}) {
+        int passing = 0;
+        for (int i = 0; i < 5000; ++i)
+            passing += mips.sample({.image = 0}, {float(random.unit()), float(random.unit())}, lod) >= 0.5f;
+        EXPECT_GE(passing, 750) << lod; // never thinner
+        EXPECT_LE(passing, lod <= 2 ? 1250 : 2500) << lod; // beyond, a texel mixes spots and many share one alpha
+    }
+    EXPECT_GE(mips.sample({.image = 0}, {0.5f, 0.5f}, 1e9f), 0);
+    EXPECT_GE(mips.sample({.image = 0}, {NAN, 0.5f}, NAN), 0);
 }
 
 TEST(Picker, BackFacesOfSingleSidedThingsAreLookedThrough)
