@@ -47,10 +47,13 @@ void EditView::openProject()
     if (m_given) return m_editor->adopt(std::move(m_given));
     const auto recent = m_settings.recentProjects();
     std::error_code ignored;
-    if (!m_options.project.empty()) {
+    const bool changed = m_options.time || !m_options.sets.empty() || m_options.view || !m_options.camera.empty();
+    if (!m_options.project.empty() && changed) {
         if (m_editor->open(m_options.project, m_options.scene)) applyToWorld(m_options, *m_editor->document());
+    } else if (!m_options.project.empty()) {
+        m_editor->openLater(m_options.project, m_options.scene); // the window is there at once
     } else if (!recent.empty() && fs::exists(recent.front(), ignored)) {
-        m_editor->open(recent.front());
+        m_editor->openLater(recent.front());
     }
 }
 
@@ -91,7 +94,7 @@ void EditView::openDropped(const std::vector<fs::path>& files)
     } else if (m_editor->document() && m_editor->document()->modified()) {
         io::log::warning("{}: save or close the open project first", project->string());
     } else {
-        m_editor->open(*project);
+        m_editor->openLater(*project);
     }
 }
 

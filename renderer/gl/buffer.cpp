@@ -13,6 +13,7 @@ Buffer::Buffer(std::string_view label, std::size_t bytes, GLbitfield flags) : m_
     glCreateBuffers(1, &id);
     m_handle = Handle<DeleteBuffer>{id};
     glNamedBufferStorage(id, GLsizeiptr(bytes), nullptr, flags);
+    expectMemory();
     glObjectLabel(GL_BUFFER, id, GLsizei(label.size()), label.data());
 }
 

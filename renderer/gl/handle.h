@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <epoxy/gl.h>
+#include <new>
 #include <utility>
 
 namespace renderer::gl {
@@ -27,6 +28,12 @@ public:
 private:
     GLuint m_id = 0;
 };
+
+// Storage that the device cannot give is what memory is that the machine cannot give: main() says so in one line.
+inline void expectMemory()
+{
+    if (glGetError() == GL_OUT_OF_MEMORY) throw std::bad_alloc{};
+}
 
 // Counts the bytes of a buffer or texture for as long as it lives.
 class Footprint {

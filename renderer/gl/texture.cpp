@@ -41,6 +41,7 @@ void setSampling(GLuint id, const TextureDesc& desc)
         glTextureParameteri(id, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
         glTextureParameteri(id, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
     }
+    if (desc.lodBias != 0) glTextureParameterf(id, GL_TEXTURE_LOD_BIAS, desc.lodBias);
     if (desc.anisotropy > 1) glTextureParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, desc.anisotropy);
 }
 
@@ -63,6 +64,7 @@ Texture::Texture(const TextureDesc& desc)
     } else {
         glTextureStorage2D(id, desc.mips, desc.format, desc.size.x, desc.size.y);
     }
+    expectMemory();
     setSampling(id, desc);
     glObjectLabel(GL_TEXTURE, id, GLsizei(desc.label.size()), desc.label.data());
 }

@@ -22,6 +22,7 @@ struct TextureDesc {
     GLenum wrap = GL_CLAMP_TO_EDGE;
     bool compare = false;        // a shadow map: sampled by comparing, lit when nearer or equal
     float anisotropy = 1;
+    float lodBias = 0;           // negative: sharper mips
 };
 
 class Texture {
@@ -30,7 +31,10 @@ public:
     explicit Texture(const TextureDesc& desc);
 
     GLuint id() const { return m_handle.get(); }
-    glm::ivec2 size(int mip = 0) const { return glm::max(m_size >> mip, glm::ivec2{1}); }
+    glm::ivec2 size(int mip = 0) const // 0 when empty
+    {
+        return id() ? glm::max(m_size >> mip, glm::ivec2{1}) : glm::ivec2{0};
+    }
     int layers() const { return m_layers; }
     int mips() const { return m_mips; }
     GLenum format() const { return m_format; }

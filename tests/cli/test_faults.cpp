@@ -95,6 +95,20 @@ TEST_F(Faults, outputThatCannotBeWrittenIsNamed)
     expectFault(wold({"info", project, "--json", folder.write("file", "") + "/a.json"}), "file");
 }
 
+TEST_F(Faults, aPictureOfOnePixel)
+{
+    const Ran ran = wold({"render", project, "--size", "1x1", "--out", folder / "a.png", "--quiet"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(ran.err, "");
+}
+
+TEST_F(Faults, tooLittleMemoryIsSaid)
+{
+    const Ran ran = run({"prlimit", "--as=1500000000", WOLD_PROGRAM, "render", project, "--headless", "--size", "8000x8000", "--out",
+                         folder / "a.png", "--quiet", "--log", "off"});
+    expectFault(ran, "memory");
+}
+
 TEST_F(Faults, pointsAreCheckedLineByLine)
 {
     for (const char* line : {"12", "a b", "1 2 3", "nan 1", "1e999 1"})
