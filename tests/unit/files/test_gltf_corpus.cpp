@@ -5,8 +5,7 @@
 #include "io/files/json.h"
 #include "io/files/model_file.h"
 
-#include <chrono>
-#include <cmath>
+#include <cstring>
 #include <map>
 #include <sys/stat.h>
 
@@ -68,19 +67,6 @@ TEST(GltfCorpus, SpecialFilesMeanWhatTheySay)
     const Model uvs = *ReadGltf(derived / "two_uv_sets_rgba_colours_texture_transform.glb").model;
     EXPECT_TRUE(
         std::any_of(uvs.vertices.begin(), uvs.vertices.end(), [](const Vertex& v) { return v.uv1 != glm::vec2{0}; }));
-}
-
-// Where triangles face outwards, their geometric normals agree with the vertices' own: also where a parent mirrors.
-TEST(GltfCorpus, FrontsStayFrontsWhereAParentMirrors)
-{
-    NEEDS_TEST_DATA();
-    const Model model = *ReadGltf(testData() / "corpus/gltf-valid/derived/negative_scale_parent.glb").model;
-    for (std::size_t i = 0; i < model.indices.size(); i += 3) {
-        const auto corner = [&](std::size_t c) { return model.vertices[model.indices[i + c]]; };
-        const glm::vec3 face =
-            glm::cross(corner(1).position - corner(0).position, corner(2).position - corner(0).position);
-        EXPECT_GT(glm::dot(face, corner(0).normal), 0);
-    }
 }
 
 // The links and pipes that the corpus cannot hold.
@@ -217,6 +203,55 @@ TEST(Gltf, ComplaintsOfOneFileAreCapped)
     const ReadGltf read{folder / "m.gltf"};
     ASSERT_TRUE(read.model) << read.model.error().text();
     EXPECT_EQ(read.complaints.size(), 51u);
+}
+
+// A box under a node that mirrors it: its faces and its normals still point outwards.
+TEST(Gltf, FrontsStayFrontsWhereANodeMirrors)
+{
+    const TemporaryFolder folder;
+    std::string glb = *encodeGlb(boxModel({1, 1, 1}, {1, 1, 1, 1}));
+    const std::string plain = R"("nodes":[{"name":"box","mesh":0}])",
+                      mirrored = R"("nodes":[{"scale":[1,-1,1],"mesh":0}])";
+    const std::size_t at = glb.find(plain);
+    ASSERT_NE(at, std::string::npos);
+    glb.replace(at, plain.size(), mirrored);
+    std::uint32_t sizes[2]; // of the JSON chunk, which is padded with spaces, and before it of the whole
+    std::memcpy(sizes, glb.data() + 8, 8);
+    const std::size_t end = 20 + sizes[1] + (mirrored.size() - plain.size());
+    const std::size_t padding = (4 - end % 4) % 4;
+    glb.insert(end, padding, ' ');
+    sizes[0] = std::uint32_t(glb.size());
+    sizes[1] = std::uint32_t(end + padding - 20);
+    std::memcpy(glb.data() + 8, sizes, 8);
+    put(folder / "m.glb", glb);
+    const ReadGltf read{folder / "m.glb"};
+    ASSERT_TRUE(read.model) << read.model.error().text();
+    EXPECT_EQ(read.model->bounds.min.y, -1);
+    for (std::size_t i = 0; i < read.model->indices.size(); i += 3) {
+        const auto corner = [&](std::size_t c) { return read.model->vertices[read.model->indices[i + c]]; };
+        const glm::vec3 face =
+            glm::cross(corner(1).position - corner(0).position, corner(2).position - corner(0).position);
+        EXPECT_GT(glm::dot(face, corner(0).normal), 0);
+        EXPECT_GT(glm::dot(corner(0).normal, corner(0).position - glm::vec3(0, -0.5f, 0)), 0);
+    }
+}
+
+TEST(Gltf, NodesAreTreesOrRefused)
+{
+    const TemporaryFolder folder;
+    const auto refused = [&](const std::string& roots, const std::string& nodes) {
+        put(folder / "m.gltf",
+            kHead + "\"scenes\":[{\"nodes\":[" + roots + "]}],\"nodes\":[" + nodes + "]," + kMesh + kTriangle + "}");
+        const ReadGltf read{folder / "m.gltf"};
+        return read.model ? std::string{} : read.model.error().what;
+    };
+    EXPECT_EQ(refused("0", R"({"mesh":0})"), "");
+    EXPECT_EQ(refused("0,0", R"({"mesh":0})"), "");
+    EXPECT_EQ(refused("0,1", R"({"children":[2]},{"children":[2]},{"mesh":0})"), "nodes[2]: has two parents");
+    EXPECT_EQ(refused("0,1", R"({"children":[1]},{"mesh":0})"), "nodes[1]: is a root and a child");
+    EXPECT_EQ(refused("0", R"({"mesh":0},{"children":[2]},{"children":[1]})"), "nodes[1]: is its own ancestor");
+    EXPECT_EQ(refused("0", R"({"mesh":0,"children":[1]},{"children":[2]},{"children":[1]})"),
+              "nodes[1]: has two parents");
 }
 
 // Of a square that faces +Z: u to the right, and v downwards as in glTF, so that the bitangent points up.
