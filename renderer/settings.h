@@ -15,7 +15,7 @@ enum class ToneMap { Agx, Neutral, Aces, Reinhard };
 enum class Shading { Pbr, BlinnPhong };
 
 struct Settings {
-    bool culling = true; // frustum and size on screen, for the camera and for each cascade
+    bool culling = true; // what the camera or a cascade cannot see is not drawn; the picture is the same without
     bool shadows = true;
     bool clouds = true;
     bool fog = true;

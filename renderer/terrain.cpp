@@ -56,7 +56,8 @@ gl::Texture layerArray(std::string_view label, const Images& images, ColourSpace
                        .size = glm::ivec2{side},
                        .layers = std::max(int(images.size()), 1),
                        .mips = gl::fullMipCount(glm::ivec2{side}),
-                       .wrap = GL_REPEAT}};
+                       .wrap = GL_REPEAT,
+                       .lodBias = -0.6f}}; // the ground mostly runs away from the eye
     for (std::size_t layer = 0; layer < images.size(); ++layer) {
         if (!images[layer]) continue;
         std::vector<Pixels> mips = mipChain(*images[layer], side, space, -1);

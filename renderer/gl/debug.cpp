@@ -7,9 +7,10 @@
 namespace renderer::gl {
 namespace {
 
-void GLAPIENTRY onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text,
+void GLAPIENTRY onMessage(GLenum source, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text,
                           const void* errors)
 {
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return; // the shader library reports those by file and line
     const std::string_view message{text, std::size_t(length)};
     if (type == GL_DEBUG_TYPE_ERROR) {
         ++*static_cast<std::uint64_t*>(const_cast<void*>(errors));

@@ -30,11 +30,10 @@ Cover cover(int index, vec2 plane, vec3 axisU, vec3 axisV, float tiling)
     vec2 uv = plane * layer.repeats;
     // A second, larger and turned copy breaks the repeats that a single one shows from afar.
     const mat2 turn = mat2(0.7986, 0.6018, -0.6018, 0.7986) * 0.2371;
-    const float kSharper = -0.6; // mips: the ground mostly runs away from the eye
-    vec4 fine = texture(layerColours, vec3(uv, max(layer.colourLayer, 0.0)), kSharper);
-    vec4 broad = texture(layerColours, vec3(turn * uv, max(layer.colourLayer, 0.0)), kSharper);
+    vec4 fine = texture(layerColours, vec3(uv, max(layer.colourLayer, 0.0)));
+    vec4 broad = texture(layerColours, vec3(turn * uv, max(layer.colourLayer, 0.0)));
     vec4 both = mix(fine, broad, tiling);
-    vec2 bend = texture(layerNormals, vec3(uv, max(layer.normalLayer, 0.0)), kSharper).xy * 2.0 - 1.0;
+    vec2 bend = texture(layerNormals, vec3(uv, max(layer.normalLayer, 0.0))).xy * 2.0 - 1.0;
     bend = layer.normalLayer < 0.0 ? vec2(0.0) : bend;
     both = layer.colourLayer < 0.0 ? vec4(1.0, 1.0, 1.0, 0.5) : both;
     Cover c;

@@ -1,0 +1,79 @@
+// The structs that both compilers read lie alike in both.
+#include "renderer/shader_library.h"
+#include "renderer/shaders/shared/instance.h"
+#include "renderer/shaders/shared/light.h"
+#include "renderer/shaders/shared/material.h"
+#include "renderer/shaders/shared/terrain.h"
+#include "renderer/shaders/shared/view.h"
+#include "tests/gl/support/shared_renderer.h"
+
+#include <cstddef>
+#include <gtest/gtest.h>
+
+namespace {
+
+GLint offsetIn(const renderer::gl::Program& program, const char* name)
+{
+    const GLuint index = glGetProgramResourceIndex(program.id(), GL_UNIFORM, name);
+    if (index == GL_INVALID_INDEX) return -1;
+    constexpr GLenum kOffset = GL_OFFSET;
+    GLint offset = -1;
+    glGetProgramResourceiv(program.id(), GL_UNIFORM, index, 1, &kOffset, 1, nullptr, &offset);
+    return offset;
+}
+
+class Layout : public testing::Test {
+protected:
+    void SetUp() override { ASSERT_TRUE(test::haveContext()); }
+    renderer::ShaderLibrary shaders{WOLD_SOURCE_DIR "/renderer/shaders"};
+};
+
+TEST_F(Layout, ViewAndLightAgree)
+{
+    const renderer::gl::Program& p = shaders.fullScreen("lighting", {"SHADOWS", "CLOUD_SHADOWS"});
+    ASSERT_TRUE(p);
+    EXPECT_EQ(offsetIn(p, "view.clipFromRelative"), offsetof(glsl::View, clipFromRelative));
+    EXPECT_EQ(offsetIn(p, "view.eyeLow"), offsetof(glsl::View, eyeLow));
+    EXPECT_EQ(offsetIn(p, "view.exposure"), offsetof(glsl::View, exposure));
+    EXPECT_EQ(offsetIn(p, "view.eyeHeight"), offsetof(glsl::View, eyeHeight));
+    EXPECT_EQ(offsetIn(p, "view.texel"), offsetof(glsl::View, texel));
+
+    EXPECT_EQ(offsetIn(p, "light.sunRadius"), offsetof(glsl::Light, sunRadius));
+    EXPECT_EQ(offsetIn(p, "light.shadowFromRelative[0]"), offsetof(glsl::Light, shadowFromRelative));
+    EXPECT_EQ(offsetIn(p, "light.cascadeTexel"), offsetof(glsl::Light, cascadeTexel));
+    EXPECT_EQ(offsetIn(p, "light.shadowTexel"), offsetof(glsl::Light, shadowTexel));
+    EXPECT_EQ(offsetIn(p, "light.cloudOrigin"), offsetof(glsl::Light, cloudOrigin));
+    EXPECT_EQ(offsetIn(p, "light.atmosphere.rayleigh"), offsetof(glsl::Light, atmosphere.rayleigh));
+    EXPECT_EQ(offsetIn(p, "light.atmosphere.horizon"), offsetof(glsl::Light, atmosphere.horizon));
+    EXPECT_EQ(offsetIn(p, "skyLight.irradiance[0]"), 0);
+}
+
+TEST_F(Layout, TerrainAgrees)
+{
+    const renderer::gl::Program& p = shaders.program(
+        {.label = "ground", .stages = {"terrain.vert.glsl", "terrain.frag.glsl"}, .defines = {"LAYERS 8"}});
+    ASSERT_TRUE(p);
+    EXPECT_EQ(offsetIn(p, "terrain.eyeAbove"), offsetof(glsl::Terrain, eyeAbove));
+    EXPECT_EQ(offsetIn(p, "terrain.eyeHeight"), offsetof(glsl::Terrain, eyeHeight));
+    EXPECT_EQ(offsetIn(p, "terrain.morph[0]"), offsetof(glsl::Terrain, morph));
+    EXPECT_EQ(offsetIn(p, "terrain.layer[0].colour"), offsetof(glsl::Terrain, layer));
+    EXPECT_EQ(offsetIn(p, "terrain.layer[1].normalLayer"),
+              offsetof(glsl::Terrain, layer) + sizeof(glsl::TerrainLayer) + offsetof(glsl::TerrainLayer, normalLayer));
+}
+
+// Vertices read these by the number of the texel.
+TEST_F(Layout, RecordsLieAsTheirTexelsSay)
+{
+    constexpr std::size_t kTexel = 16;
+    EXPECT_EQ(sizeof(glsl::Instance), INSTANCE_TEXELS * kTexel);
+    EXPECT_EQ(offsetof(glsl::Instance, positionLow), kTexel);
+    EXPECT_EQ(offsetof(glsl::Instance, axisZ), 4 * kTexel);
+    EXPECT_EQ(sizeof(glsl::Material), MATERIAL_TEXELS * kTexel);
+    EXPECT_EQ(offsetof(glsl::Material, emissive), MATERIAL_EMISSIVE_TEXEL * kTexel);
+    EXPECT_EQ(offsetof(glsl::Material, metallic), MATERIAL_FACTORS_TEXEL * kTexel);
+    EXPECT_EQ(offsetof(glsl::Material, alphaCutoff), MATERIAL_FACTORS_TEXEL * kTexel + 12);
+    EXPECT_EQ(offsetof(glsl::Material, flags), MATERIAL_FLAGS_TEXEL * kTexel);
+    EXPECT_EQ(offsetof(glsl::Material, textures), MATERIAL_TEXTURE_TEXEL * kTexel);
+}
+
+} // namespace

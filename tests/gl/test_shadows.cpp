@@ -1,0 +1,146 @@
+// Shadows fall where the sun says, and stand still while the camera moves.
+#include "renderer/cascades.h"
+#include "tests/gl/support/shared_renderer.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace {
+
+constexpr glm::ivec2 kSize{320, 180};
+
+// A plane of 200 m with a tower of 20 m at the origin.
+test::TestWorld tower(bool castShadow)
+{
+    test::TestWorld world;
+    world.scene.exchange(io::Terrain{.heightMap = "terrain/flat.png"});
+    world.assets.heights = test::heightMap({201, 201}, 1, [](double, double) { return 0.0; });
+    const io::TemplateId id = test::addTemplate(world, "tower", test::box({4, 20, 4}, {0.6f, 0.6f, 0.6f, 1}));
+    io::Template changed = *world.scene.find(id);
+    changed.castShadow = castShadow;
+    world.scene.exchange(id, changed);
+    test::addObject(world, id, {});
+    return world;
+}
+
+// 40 m from the tower, where the light leaves its shadow.
+double lightAt(const glm::dvec3& place, const io::Camera& camera, const renderer::Settings& settings = {})
+{
+    renderer::FrameInput in = test::frame(kSize, camera);
+    in.settings = settings;
+    in.settings.antiAliasing = renderer::AntiAliasing::Off;
+    test::shared().render(in);
+    return test::brightnessAt(test::shared().readPicture(), camera, place);
+}
+
+TEST(Shadows, TowerThrowsOneAwayFromTheSun)
+{
+    test::TestWorld world = tower(true);
+    const io::Camera above{.eye = {0, 60, 60}, .pitch = -45};
+    for (const float azimuth : {30.0f, 135.0f, 250.0f}) {
+        world.scene.exchange(test::plainEnvironment(azimuth, 45));
+        test::load(world);
+        const double a = glm::radians(double(azimuth));
+        const glm::dvec3 away{-std::sin(a) * 14, 0, std::cos(a) * 14};
+        const double shaded = lightAt(away, above), lit = lightAt(-away, above);
+        EXPECT_LT(shaded, lit * 0.75) << azimuth;
+        renderer::Settings off;
+        off.shadows = false;
+        EXPECT_NEAR(lightAt(away, above, off), lit, 3) << azimuth;
+    }
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
+TEST(Shadows, CasterBehindTheCameraCounts)
+{
+    test::TestWorld world = tower(true);
+    world.scene.exchange(test::plainEnvironment(180, 30)); // the sun stands in the south, +Z
+    test::load(world);
+    const io::Camera camera{.eye = {0, 6, -8}, .pitch = -30}; // looks north, the tower behind it
+    const double shaded = lightAt({0, 0, -18}, camera), lit = lightAt({9, 0, -22}, camera);
+    EXPECT_LT(shaded, lit * 0.75);
+}
+
+TEST(Shadows, TemplatesThatCastNoneDoNot)
+{
+    const io::Camera above{.eye = {0, 60, 60}, .pitch = -45};
+    test::TestWorld world = tower(false);
+    world.scene.exchange(test::plainEnvironment(90, 45));
+    test::load(world);
+    EXPECT_NEAR(lightAt({-14, 0, 0}, above), lightAt({14, 0, 0}, above), 3);
+}
+
+TEST(Shadows, AnOpenPlaneIsNotShadedByItself)
+{
+    test::TestWorld world = tower(false);
+    for (const float elevation : {4.0f, 12.0f, 40.0f, 88.0f}) {
+        world.scene.exchange(test::plainEnvironment(120, elevation));
+        test::load(world);
+        renderer::FrameInput in = test::frame(kSize, {.eye = {40, 3, 40}, .yaw = 160, .pitch = -15});
+        in.show = renderer::Show::Shadow;
+        test::shared().render(in);
+        const io::Image image = test::shared().readPicture();
+        const auto ids = test::shared().readIds({0, 0}, kSize);
+        int ground = 0, dark = 0;
+        for (int i = 0; i < kSize.x * kSize.y; ++i) {
+            if (ids[std::size_t(i)] != renderer::kTerrainId) continue;
+            ++ground;
+            dark += image.row<glm::u8vec4>(0)[i].x < 240;
+        }
+        EXPECT_GT(ground, 5000);
+        EXPECT_LE(dark, ground / 1000) << elevation;
+    }
+}
+
+TEST(Cascades, TexelsStandStillInTheWorld)
+{
+    std::mt19937 random{3};
+    std::uniform_real_distribution<double> place{-500, 500}, turn{-180, 180}, tilt{-80, 80};
+    const glm::dvec3 sun = glm::normalize(glm::dvec3{0.4, 0.6, 0.3});
+    const io::Shadows shadows;
+    std::vector<double> radii;
+    for (int i = 0; i < 1000; ++i) {
+        const io::Camera camera{.eye = {place(random), place(random), place(random)}, .yaw = float(turn(random)), .pitch = float(tilt(random))};
+        const renderer::Eye eye = renderer::eyeOf(camera, kSize);
+        const auto cascades = renderer::cascadesOf(eye, shadows, sun);
+        ASSERT_EQ(cascades.size(), 4u);
+        for (std::size_t c = 0; c < 4; ++c) {
+            const glm::dvec4 origin = cascades[c].clipFromRelative * glm::dvec4{-eye.position, 1};
+            const glm::dvec2 texels = glm::dvec2{origin} * (shadows.resolution / 2.0);
+            EXPECT_NEAR(texels.x, std::round(texels.x), 1e-3);
+            EXPECT_NEAR(texels.y, std::round(texels.y), 1e-3);
+            if (radii.size() < 4) radii.push_back(cascades[c].radius);
+            EXPECT_EQ(cascades[c].radius, radii[c]);
+        }
+    }
+}
+
+TEST(Cascades, CoverTheirSlices)
+{
+    const io::Camera camera{.eye = {100, 20, -30}, .yaw = 33, .pitch = -12, .fov = 70};
+    const renderer::Eye eye = renderer::eyeOf(camera, {1280, 720});
+    for (const renderer::Cascade& cascade : renderer::cascadesOf(eye, {}, glm::normalize(glm::dvec3{0.2, 0.3, -0.8})))
+        for (int corner = 0; corner < 8; ++corner) {
+            const double depth = corner & 4 ? cascade.endDepth : cascade.beginDepth;
+            const glm::dvec3 relative = (eye.forward + eye.right * (eye.tanHalfFov * eye.aspect * (corner & 1 ? 1 : -1)) +
+                                         eye.up * (eye.tanHalfFov * (corner & 2 ? 1 : -1))) * depth;
+            const glm::dvec3 place{cascade.textureFromRelative * glm::dvec4{relative, 1}};
+            for (int axis = 0; axis < 3; ++axis) {
+                EXPECT_GE(place[axis], 0);
+                EXPECT_LE(place[axis], 1);
+            }
+        }
+}
+
+TEST(Cascades, EverySettingCounts)
+{
+    io::Shadows shadows{.cascades = 3, .distance = 90, .lambda = 0};
+    EXPECT_EQ(renderer::cascadeEnds(shadows).size(), 3u);
+    EXPECT_NEAR(renderer::cascadeEnds(shadows)[0], 30.3, 0.1);
+    EXPECT_DOUBLE_EQ(renderer::cascadeEnds(shadows)[2], 90);
+    shadows.lambda = 1;
+    EXPECT_LT(renderer::cascadeEnds(shadows)[0], 5);
+}
+
+} // namespace
