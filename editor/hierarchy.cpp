@@ -11,31 +11,35 @@ void Hierarchy::update(const io::Scene& scene, const io::Changes& changes)
         m_parents.clear();
         m_children.clear();
         for (const io::Object& object : scene.objects())
-            setParent(object.id, object.parent);
+            join(object.id, object.parent);
         return;
     }
+    // All leave before the first joins, so that two groups that change places are never inside each other.
     for (const io::ObjectId id : changes.objects) {
         const io::Object* object = scene.find(id);
-        setParent(id, object ? object->parent : io::ObjectId::None);
+        if (parent(id) != (object ? object->parent : io::ObjectId::None)) leave(id);
     }
+    for (const io::ObjectId id : changes.objects)
+        if (const io::Object* object = scene.find(id); object && parent(id) != object->parent) join(id, object->parent);
 }
 
-void Hierarchy::setParent(io::ObjectId id, io::ObjectId parent)
+void Hierarchy::leave(io::ObjectId id)
 {
-    const io::ObjectId before = this->parent(id);
-    if (before == parent) return;
-    if (before != io::ObjectId::None) {
-        std::vector<io::ObjectId>& siblings = m_children[io::number(before)];
-        siblings.erase(std::ranges::lower_bound(siblings, id));
-        if (siblings.empty()) m_children.erase(io::number(before));
-    }
-    if (parent != io::ObjectId::None) {
-        std::vector<io::ObjectId>& siblings = m_children[io::number(parent)];
-        siblings.insert(std::ranges::lower_bound(siblings, id), id);
-        m_parents[io::number(id)] = parent;
-    } else {
-        m_parents.erase(io::number(id));
-    }
+    const auto found = m_parents.find(io::number(id));
+    if (found == m_parents.end()) return;
+    std::vector<io::ObjectId>& siblings = m_children[io::number(found->second)];
+    siblings.erase(std::ranges::lower_bound(siblings, id));
+    if (siblings.empty()) m_children.erase(io::number(found->second));
+    m_parents.erase(found);
+}
+
+// A file may hold a ring of groups; here the link that would close it counts as none.
+void Hierarchy::join(io::ObjectId id, io::ObjectId group)
+{
+    if (group == io::ObjectId::None || topmost(group) == id) return;
+    std::vector<io::ObjectId>& siblings = m_children[io::number(group)];
+    siblings.insert(std::ranges::lower_bound(siblings, id), id);
+    m_parents[io::number(id)] = group;
 }
 
 std::span<const io::ObjectId> Hierarchy::children(io::ObjectId group) const
@@ -52,9 +56,7 @@ io::ObjectId Hierarchy::parent(io::ObjectId id) const
 
 io::ObjectId Hierarchy::topmost(io::ObjectId id) const
 {
-    // A file may hold a ring of groups; it has no outermost one, and nobody may hang on it.
-    std::size_t steps = 0;
-    for (io::ObjectId up = parent(id); up != io::ObjectId::None && steps <= m_parents.size(); up = parent(up), ++steps)
+    for (io::ObjectId up = parent(id); up != io::ObjectId::None; up = parent(up))
         id = up;
     return id;
 }
@@ -83,10 +85,8 @@ std::vector<io::ObjectId> Hierarchy::outermost(std::span<const io::ObjectId> ids
     std::vector<io::ObjectId> result;
     for (const io::ObjectId id : ids) {
         bool inside = false;
-        std::size_t steps = 0;
-        for (io::ObjectId up = parent(id); up != io::ObjectId::None && !inside && steps <= m_parents.size();
-             up = parent(up), ++steps)
-            inside = up != id && chosen.contains(io::number(up));
+        for (io::ObjectId up = parent(id); up != io::ObjectId::None && !inside; up = parent(up))
+            inside = chosen.contains(io::number(up));
         if (!inside && chosen.erase(io::number(id))) {
             result.push_back(id);
             chosen.insert(io::number(id));

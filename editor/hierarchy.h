@@ -25,7 +25,8 @@ public:
     std::vector<io::ObjectId> outermost(std::span<const io::ObjectId> ids) const;
 
 private:
-    void setParent(io::ObjectId id, io::ObjectId parent);
+    void leave(io::ObjectId id);
+    void join(io::ObjectId id, io::ObjectId group);
 
     std::unordered_map<std::uint32_t, io::ObjectId> m_parents; // only of objects in a group
     std::unordered_map<std::uint32_t, std::vector<io::ObjectId>> m_children;

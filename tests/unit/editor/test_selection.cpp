@@ -100,3 +100,35 @@ TEST(Selection, AllInvertedAndTheSameTemplate)
     for (const io::Object& object : document->scene().objects())
         EXPECT_EQ(object.templateId == what, std::ranges::binary_search(same, object.id));
 }
+
+TEST(Hierarchy, ARingOfGroupsIsNoTrap)
+{
+    io::Scene scene;
+    for (std::uint32_t id = 1; id <= 3; ++id) // 1 in 2 in 3 in 1
+        scene.exchange(io::ObjectId{id}, io::Object{.parent = io::ObjectId{id % 3 + 1}});
+    Hierarchy hierarchy;
+    hierarchy.update(scene, {.everything = true});
+    const auto all = ids({1, 2, 3});
+    EXPECT_EQ(hierarchy.outermost(all).size(), 1u);
+    EXPECT_EQ(hierarchy.withMembers(hierarchy.outermost(all)).size(), 3u);
+    EXPECT_EQ(hierarchy.topmost(io::ObjectId{1}), hierarchy.topmost(io::ObjectId{2}));
+}
+
+TEST(Hierarchy, GroupsMayChangePlacesInOneStep)
+{
+    const auto document = test::forest(4, 1);
+    const io::ObjectId inner = group(*document, ids({1}));
+    const io::ObjectId outer = group(*document, std::vector{inner});
+    std::vector<SwapObjects::Slot> slots;
+    for (const auto& [id, parent] : {std::pair{inner, io::ObjectId::None}, std::pair{outer, inner}}) {
+        io::Object object = document->scene().at(id);
+        object.parent = parent;
+        slots.emplace_back(id, object);
+    }
+    std::ranges::reverse(slots);
+    document->run(std::make_unique<SwapObjects>("Swap", std::move(slots)));
+    EXPECT_EQ(document->hierarchy().topmost(outer), inner);
+    document->undo();
+    EXPECT_EQ(document->hierarchy().topmost(inner), outer);
+    EXPECT_EQ(document->hierarchy().topmost(io::ObjectId{1}), outer);
+}
