@@ -64,8 +64,10 @@ float halfWidth(Leaf kind, float t)
         const float body = t < 0.28f ? 0.40f * std::sqrt(t / 0.28f) : 0.40f * std::pow((1 - t) / 0.72f, 0.85f);
         return body * (0.94f + 0.06f * std::abs(std::fmod(t * 12, 1.0f) * 2 - 1));
     }
-    case Leaf::Beech: return 0.31f * std::pow(std::sin(kPi * std::pow(t, 0.9f)), 0.85f) * (1 + 0.03f * std::sin(t * 50));
-    case Leaf::Simple: break;
+    case Leaf::Beech:
+        return 0.31f * std::pow(std::sin(kPi * std::pow(t, 0.9f)), 0.85f) * (1 + 0.03f * std::sin(t * 50));
+    case Leaf::Simple:
+        break;
     }
     return 0.24f * std::sin(kPi * std::pow(t, 0.8f));
 }

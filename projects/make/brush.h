@@ -15,7 +15,7 @@ struct Stroke {
     float widthTo = 2;
     glm::vec3 colourFrom{0};
     glm::vec3 colourTo{0};
-    float height = 0;         // texels that its middle rises above what lies under it
+    float height = 0; // texels that its middle rises above what lies under it
     bool tiles = false;
 };
 void paint(Canvas& canvas, const Stroke& stroke);
@@ -24,12 +24,12 @@ enum class Leaf { Oak, Birch, Beech, Simple };
 
 struct LeafMark {
     Leaf kind = Leaf::Simple;
-    glm::vec2 base{0};     // texels, where the stalk joins
-    float angle = 0;       // radians, 0 points up the picture, positive to the right
-    float length = 40;     // texels
-    float squash = 1;      // of the width: a leaf seen from the side
+    glm::vec2 base{0}; // texels, where the stalk joins
+    float angle = 0;   // radians, 0 points up the picture, positive to the right
+    float length = 40; // texels
+    float squash = 1;  // of the width: a leaf seen from the side
     glm::vec3 colour{0};
-    float shade = 0.35f;   // how much it darkens what lies under its edge
+    float shade = 0.35f; // how much it darkens what lies under its edge
     bool tiles = false;
     float height = 0;
 };

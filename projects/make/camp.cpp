@@ -26,7 +26,9 @@ void addSheet(Mesh& mesh, const Sheet& sheet)
         const float s = float(i) / float(sheet.across), t = float(j) / float(sheet.down);
         const glm::vec3 p = glm::mix(glm::mix(sheet.a, sheet.b, s), glm::mix(sheet.d, sheet.c, s), t);
         const float hang = sheet.sag * 4 * s * (1 - s) * (0.5f + 0.5f * 4 * t * (1 - t));
-        return io::Vertex{.position = p - normal * hang, .normal = normal, .uv0 = {s * width / sheet.metres, (1 - t) * height / sheet.metres},
+        return io::Vertex{.position = p - normal * hang,
+                          .normal = normal,
+                          .uv0 = {s * width / sheet.metres, (1 - t) * height / sheet.metres},
                           .colour = shade(sheet.light)};
     };
     for (int j = 0; j < sheet.down; ++j)
@@ -37,8 +39,14 @@ void addSheet(Mesh& mesh, const Sheet& sheet)
 void addPole(Mesh& mesh, glm::vec3 from, glm::vec3 to, float radius, int surface, int sides = 5)
 {
     const glm::vec3 middle = (from + to) * 0.5f;
-    const Ring rings[] = {{.centre = from, .radius = radius, .light = 0.8f}, {.centre = middle, .radius = radius * 0.95f}, {.centre = to, .radius = radius * 0.85f}};
-    const TubeLook look{.sides = sides, .surface = surface, .metres = 0.9f, .seed = std::uint32_t(from.x * 91 + from.z * 37), .wobble = 0.1f};
+    const Ring rings[] = {{.centre = from, .radius = radius, .light = 0.8f},
+                          {.centre = middle, .radius = radius * 0.95f},
+                          {.centre = to, .radius = radius * 0.85f}};
+    const TubeLook look{.sides = sides,
+                        .surface = surface,
+                        .metres = 0.9f,
+                        .seed = std::uint32_t(from.x * 91 + from.z * 37),
+                        .wobble = 0.1f};
     addTube(mesh, rings, look);
     addCap(mesh, rimOf(rings[1], rings[2], look), surface, 0.1f);
 }
@@ -57,21 +65,29 @@ void addHead(Mesh& mesh, int surface)
                                  {{0.150f, 0.078f, 0.001f}, {0.162f, 0, 0.001f}, {0.145f, -0.100f, 0.001f}}};
     const auto vertex = [](const HeadPoint& p, float side) {
         const float bright = p.x > 0.1f ? 1.0f : 0.62f; // the edge is ground bare
-        return io::Vertex{.position = {p.x, p.y, p.half * side}, .normal = {0, 0, side}, .uv0 = {p.x * 3, p.y * 3}, .colour = shade(bright)};
+        return io::Vertex{.position = {p.x, p.y, p.half * side},
+                          .normal = {0, 0, side},
+                          .uv0 = {p.x * 3, p.y * 3},
+                          .colour = shade(bright)};
     };
     const auto quad = [&](io::Vertex a, io::Vertex b, io::Vertex c, io::Vertex d, bool flip) {
-        if (flip) mesh.addQuad({d, c, b, a}, surface);
-        else mesh.addQuad({a, b, c, d}, surface);
+        if (flip)
+            mesh.addQuad({d, c, b, a}, surface);
+        else
+            mesh.addQuad({a, b, c, d}, surface);
     };
     for (int r = 0; r < 4; ++r) {
         for (const float side : {-1.0f, 1.0f})
             for (int k = 0; k < 2; ++k)
-                quad(vertex(rows[r][k], side), vertex(rows[r][k + 1], side), vertex(rows[r + 1][k + 1], side), vertex(rows[r + 1][k], side), side < 0);
+                quad(vertex(rows[r][k], side), vertex(rows[r][k + 1], side), vertex(rows[r + 1][k + 1], side),
+                     vertex(rows[r + 1][k], side), side < 0);
         for (const int k : {0, 2}) // top and bottom
-            quad(vertex(rows[r][k], -1), vertex(rows[r][k], 1), vertex(rows[r + 1][k], 1), vertex(rows[r + 1][k], -1), k == 2);
+            quad(vertex(rows[r][k], -1), vertex(rows[r][k], 1), vertex(rows[r + 1][k], 1), vertex(rows[r + 1][k], -1),
+                 k == 2);
     }
     for (int k = 0; k < 2; ++k) // the poll
-        quad(vertex(rows[0][k], 1), vertex(rows[0][k], -1), vertex(rows[0][k + 1], -1), vertex(rows[0][k + 1], 1), false);
+        quad(vertex(rows[0][k], 1), vertex(rows[0][k], -1), vertex(rows[0][k + 1], -1), vertex(rows[0][k + 1], 1),
+             false);
     smoothNormals(mesh, 35, surface);
 }
 
@@ -87,7 +103,8 @@ Mesh makeAxe(std::size_t triangles)
     for (int i = 0; i <= 9; ++i) {
         const float t = float(i) / 9;
         const float knob = glm::smoothstep(0.88f, 1.0f, t) * 0.35f;
-        rings.push_back({.centre = {-0.012f - 0.02f * std::sin(t * 5.2f), 0.06f - t * 0.78f, 0}, .radius = 0.0185f * (1 - 0.12f * std::sin(t * 3.1f) + knob)});
+        rings.push_back({.centre = {-0.012f - 0.02f * std::sin(t * 5.2f), 0.06f - t * 0.78f, 0},
+                         .radius = 0.0185f * (1 - 0.12f * std::sin(t * 3.1f) + knob)});
     }
     const TubeLook look{.sides = 8, .surface = wood, .around = 0.22f, .metres = 0.7f, .flatten = 0.68f};
     addTube(built, rings, look);
@@ -116,15 +133,59 @@ Mesh makeTent()
     const int wood = mesh.surface({.texture = "bark_dead", .roughness = 0.9f});
     const glm::vec3 front{0, kTop, kFront}, back{0, kTop - 0.06f, kBack};
     const auto foot = [](float side, float z) { return glm::vec3{side * kHalf, 0.02f, z}; };
-    addSheet(mesh, {.a = foot(1, kFront), .b = foot(1, kBack), .c = back, .d = front, .across = 5, .down = 4, .sag = 0.16f, .metres = 2, .surface = cloth});
-    addSheet(mesh, {.a = foot(-1, kBack), .b = foot(-1, kFront), .c = front, .d = back, .across = 5, .down = 4, .sag = 0.16f, .metres = 2, .surface = cloth});
-    addSheet(mesh, {.a = foot(1, kBack), .b = foot(-1, kBack), .c = back, .d = back, .across = 3, .down = 3, .sag = -0.08f, .surface = cloth});
+    addSheet(mesh, {.a = foot(1, kFront),
+                    .b = foot(1, kBack),
+                    .c = back,
+                    .d = front,
+                    .across = 5,
+                    .down = 4,
+                    .sag = 0.16f,
+                    .metres = 2,
+                    .surface = cloth});
+    addSheet(mesh, {.a = foot(-1, kBack),
+                    .b = foot(-1, kFront),
+                    .c = front,
+                    .d = back,
+                    .across = 5,
+                    .down = 4,
+                    .sag = 0.16f,
+                    .metres = 2,
+                    .surface = cloth});
+    addSheet(mesh, {.a = foot(1, kBack),
+                    .b = foot(-1, kBack),
+                    .c = back,
+                    .d = back,
+                    .across = 3,
+                    .down = 3,
+                    .sag = -0.08f,
+                    .surface = cloth});
     for (const float side : {-1.0f, 1.0f}) { // flaps, folded back
         const glm::vec3 low = foot(side, kFront), out = low + glm::vec3{-side * 0.18f, 0, 0.55f};
-        if (side > 0) addSheet(mesh, {.a = out, .b = low, .c = front, .d = front + glm::vec3{-0.02f, -0.05f, 0.04f}, .across = 2, .down = 3, .sag = 0.1f, .surface = cloth});
-        else addSheet(mesh, {.a = low, .b = out, .c = front + glm::vec3{0.02f, -0.05f, 0.04f}, .d = front, .across = 2, .down = 3, .sag = 0.1f, .surface = cloth});
+        if (side > 0)
+            addSheet(mesh, {.a = out,
+                            .b = low,
+                            .c = front,
+                            .d = front + glm::vec3{-0.02f, -0.05f, 0.04f},
+                            .across = 2,
+                            .down = 3,
+                            .sag = 0.1f,
+                            .surface = cloth});
+        else
+            addSheet(mesh, {.a = low,
+                            .b = out,
+                            .c = front + glm::vec3{0.02f, -0.05f, 0.04f},
+                            .d = front,
+                            .across = 2,
+                            .down = 3,
+                            .sag = 0.1f,
+                            .surface = cloth});
     }
-    addSheet(mesh, {.a = foot(-0.93f, kFront - 0.1f), .b = foot(0.93f, kFront - 0.1f), .c = foot(0.93f, kBack), .d = foot(-0.93f, kBack), .surface = inside, .light = 0.5f});
+    addSheet(mesh, {.a = foot(-0.93f, kFront - 0.1f),
+                    .b = foot(0.93f, kFront - 0.1f),
+                    .c = foot(0.93f, kBack),
+                    .d = foot(-0.93f, kBack),
+                    .surface = inside,
+                    .light = 0.5f});
     smoothNormals(mesh, 40, cloth);
     addPole(mesh, {0, -0.15f, kFront + 0.02f}, {0, kTop + 0.16f, kFront + 0.02f}, 0.03f, wood);
     addPole(mesh, {0, -0.15f, kBack - 0.02f}, {0, kTop + 0.10f, kBack - 0.02f}, 0.03f, wood);
@@ -133,7 +194,8 @@ Mesh makeTent()
         for (const float side : {-1.0f, 1.0f}) {
             const glm::vec3 peg{side * 0.7f, 0.04f, top.z + end * 1.35f};
             addPole(mesh, peg, top + glm::vec3{0, 0.03f, 0}, 0.008f, wood, 3);
-            addPole(mesh, peg - glm::vec3{0, 0.12f, end * 0.03f}, peg + glm::vec3{0, 0.14f, end * 0.05f}, 0.018f, wood, 4);
+            addPole(mesh, peg - glm::vec3{0, 0.12f, end * 0.03f}, peg + glm::vec3{0, 0.14f, end * 0.05f}, 0.018f, wood,
+                    4);
         }
     }
     return mesh;
@@ -164,7 +226,9 @@ Mesh makeLog(std::uint64_t seed, float length, float radius)
     const int cut = mesh.surface({.texture = "wood_rings", .roughness = 0.85f});
     std::vector<Ring> rings;
     for (int i = 0; i < 4; ++i)
-        rings.push_back({.centre = {length * (float(i) / 3 - 0.5f), radius * 0.86f, 0}, .radius = radius * (1 - 0.04f * float(i)), .light = 0.9f});
+        rings.push_back({.centre = {length * (float(i) / 3 - 0.5f), radius * 0.86f, 0},
+                         .radius = radius * (1 - 0.04f * float(i)),
+                         .light = 0.9f});
     const TubeLook look{.sides = 9, .surface = bark, .metres = 1.2f, .seed = std::uint32_t(seed), .wobble = 0.10f};
     addTube(mesh, rings, look);
     smoothNormals(mesh, 60, bark);
@@ -172,7 +236,8 @@ Mesh makeLog(std::uint64_t seed, float length, float radius)
     std::vector<Ring> reversed(rings.rbegin(), rings.rend());
     std::vector<glm::vec3> rim = rimOf(rings[0], rings[1], look); // the same shape, moved to the other end
     for (glm::vec3& p : rim)
-        p = glm::vec3{rings[0].centre.x, glm::vec2{p.y - rings[1].centre.y, p.z} * (rings[0].radius / rings[1].radius) + glm::vec2{rings[0].centre.y, 0}};
+        p = glm::vec3{rings[0].centre.x, glm::vec2{p.y - rings[1].centre.y, p.z} * (rings[0].radius / rings[1].radius) +
+                                             glm::vec2{rings[0].centre.y, 0}};
     std::reverse(rim.begin(), rim.end());
     addCap(mesh, rim, cut);
     return mesh;

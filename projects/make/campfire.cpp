@@ -16,8 +16,10 @@ void addStones(Mesh& mesh, const FireShape& shape, Random& random)
 {
     for (int i = 0; i < shape.stones; ++i) {
         const float size = random.range(0.22f, 0.34f);
-        const Mesh stone = makeStone({.seed = shape.seed * 100 + std::uint64_t(i), .triangles = shape.stoneTriangles,
-                                      .size = {size * 1.2f, size * 0.85f, size}, .metres = 0.6f});
+        const Mesh stone = makeStone({.seed = shape.seed * 100 + std::uint64_t(i),
+                                      .triangles = shape.stoneTriangles,
+                                      .size = {size * 1.2f, size * 0.85f, size},
+                                      .metres = 0.6f});
         const float angle = 6.2831853f * (float(i) + 0.25f * random.bell()) / float(shape.stones);
         glm::mat4 to{1};
         to[3] = glm::vec4{around(angle, 0.62f + 0.05f * random.bell(), -0.05f), 1};
@@ -31,7 +33,8 @@ void addStones(Mesh& mesh, const FireShape& shape, Random& random)
 void addAsh(Mesh& mesh, int sides)
 {
     const int ash = mesh.surface({.texture = "ash", .roughness = 1});
-    const int embers = mesh.surface({.texture = "ash", .tint = {0.25f, 0.08f, 0.03f}, .roughness = 1, .emissive = {1.6f, 0.35f, 0.05f}});
+    const int embers = mesh.surface(
+        {.texture = "ash", .tint = {0.25f, 0.08f, 0.03f}, .roughness = 1, .emissive = {1.6f, 0.35f, 0.05f}});
     const auto disc = [&](float radius, float y, float rise, int surface) {
         for (int i = 0; i < sides; ++i) {
             const auto corner = [&](float angle, float r, float height) {
@@ -57,10 +60,12 @@ void addLogs(Mesh& mesh, const FireShape& shape, Random& random)
         std::vector<Ring> rings;
         for (int r = 0; r < shape.logRings; ++r) {
             const float t = float(r) / float(shape.logRings - 1);
-            rings.push_back({.centre = glm::mix(foot, end, t), .radius = 0.055f * random.range(0.85f, 1.1f),
+            rings.push_back({.centre = glm::mix(foot, end, t),
+                             .radius = 0.055f * random.range(0.85f, 1.1f),
                              .light = glm::mix(0.9f, 0.6f, t)});
         }
-        const TubeLook look{.sides = shape.logSides, .surface = charred, .metres = 0.5f, .seed = std::uint32_t(i), .wobble = 0.15f};
+        const TubeLook look{
+            .sides = shape.logSides, .surface = charred, .metres = 0.5f, .seed = std::uint32_t(i), .wobble = 0.15f};
         addTube(mesh, rings, look);
         std::vector<glm::vec3> rim = rimOf(rings[rings.size() - 2], rings.back(), look);
         addCap(mesh, rim, charred);
@@ -79,14 +84,16 @@ void addPot(Mesh& mesh, const FireShape& shape)
     const int iron = mesh.surface({.texture = "iron", .tint = glm::vec3{0.35f}, .roughness = 0.6f, .metallic = 0.4f});
     for (int i = 0; i < 3; ++i) {
         const float angle = 2.0944f * float(i) + 0.4f;
-        const Ring rings[] = {{.centre = around(angle, 0.80f, -0.05f), .radius = 0.028f}, {.centre = around(angle, 0.38f, 0.82f), .radius = 0.024f},
+        const Ring rings[] = {{.centre = around(angle, 0.80f, -0.05f), .radius = 0.028f},
+                              {.centre = around(angle, 0.38f, 0.82f), .radius = 0.024f},
                               {.centre = around(angle + 3.14159f, 0.08f, 1.75f), .radius = 0.018f}};
         addTube(mesh, rings, {.sides = std::max(4, shape.logSides - 1), .surface = wood, .metres = 0.8f});
     }
     const Ring chain[] = {{.centre = {0, 1.56f, 0}, .radius = 0.008f}, {.centre = {0, 0.93f, 0}, .radius = 0.008f}};
     addTube(mesh, chain, {.sides = 3, .surface = iron});
     // Radius and height of the pot's profile, from under its belly over the rim to its inside.
-    const glm::vec2 profile[] = {{0.02f, 0.52f}, {0.10f, 0.53f}, {0.155f, 0.59f}, {0.165f, 0.67f}, {0.145f, 0.75f}, {0.16f, 0.78f}, {0.14f, 0.78f}, {0.14f, 0.66f}, {0.01f, 0.62f}};
+    const glm::vec2 profile[] = {{0.02f, 0.52f}, {0.10f, 0.53f}, {0.155f, 0.59f}, {0.165f, 0.67f}, {0.145f, 0.75f},
+                                 {0.16f, 0.78f}, {0.14f, 0.78f}, {0.14f, 0.66f},  {0.01f, 0.62f}};
     std::vector<Ring> rings;
     for (const glm::vec2& p : profile)
         rings.push_back({.centre = {0, p.y, 0}, .radius = p.x, .light = p.x < 0.145f && p.y > 0.6f ? 0.3f : 0.9f});
@@ -96,9 +103,14 @@ void addPot(Mesh& mesh, const FireShape& shape)
             const auto corner = [&](const Ring& ring, int side) {
                 const float a = 6.2831853f * float(side % shape.potSides) / float(shape.potSides);
                 const glm::vec3 p = around(a, ring.radius, ring.centre.y);
-                return io::Vertex{.position = p, .normal = around(a, 1, 0), .uv0 = {float(side) / float(shape.potSides) * 2, -ring.centre.y * 3}, .colour = shade(ring.light)};
+                return io::Vertex{.position = p,
+                                  .normal = around(a, 1, 0),
+                                  .uv0 = {float(side) / float(shape.potSides) * 2, -ring.centre.y * 3},
+                                  .colour = shade(ring.light)};
             };
-            mesh.addQuad({corner(rings[i - 1], s), corner(rings[i], s), corner(rings[i], s + 1), corner(rings[i - 1], s + 1)}, iron);
+            mesh.addQuad(
+                {corner(rings[i - 1], s), corner(rings[i], s), corner(rings[i], s + 1), corner(rings[i - 1], s + 1)},
+                iron);
         }
     }
     for (int i = 0; i < 8; ++i) { // its handle

@@ -12,7 +12,7 @@ namespace make {
 struct Texel {
     glm::vec3 colour{0}; // sRGB, 0..1
     float alpha = 1;
-    float height = 0;    // texels
+    float height = 0; // texels
 };
 
 class Canvas {
@@ -25,8 +25,7 @@ public:
     Texel& wrapped(int x, int y) { return at(x & (m_side - 1), y & (m_side - 1)); } // the side is a power of two
 
     // paint(texel, place) for each texel; place is 0..1 in both directions, y down.
-    template <class Paint>
-    void each(Paint paint)
+    template <class Paint> void each(Paint paint)
     {
         for (int y = 0; y < m_side; ++y)
             for (int x = 0; x < m_side; ++x)
@@ -34,8 +33,7 @@ public:
     }
 
     // paint(texel, offset) for the texels within `radius` of `centre` (texels), across the edges when it tiles.
-    template <class Paint>
-    void stamp(glm::vec2 centre, float radius, bool tiles, Paint paint)
+    template <class Paint> void stamp(glm::vec2 centre, float radius, bool tiles, Paint paint)
     {
         const glm::ivec2 low{glm::floor(centre - radius)}, high{glm::ceil(centre + radius)};
         for (int y = low.y; y <= high.y; ++y)

@@ -11,7 +11,8 @@ namespace {
 
 void addBare(Mesh& mesh, const Limb& limb, int sides, int surface, std::uint32_t seed)
 {
-    addTube(mesh, limb.rings, {.sides = sides, .surface = surface, .metres = 1.3f, .pointed = true, .seed = seed, .wobble = 0.12f});
+    addTube(mesh, limb.rings,
+            {.sides = sides, .surface = surface, .metres = 1.3f, .pointed = true, .seed = seed, .wobble = 0.12f});
 }
 
 void addBareBranch(Mesh& mesh, const DeadShape& shape, const Limb& parent, int i, int surface, Random& random)
@@ -24,24 +25,45 @@ void addBareBranch(Mesh& mesh, const DeadShape& shape, const Limb& parent, int i
     if (shape.lying && side.y < -0.2f) side.y = -side.y;
     const float broken = random.chance(0.3f) ? 0.35f : 1.0f;
     const float length = shape.height * random.range(0.28f, 0.48f) * (1.15f - share * 0.6f) * broken;
-    const Limb branch = growLimb({.from = start.centre, .direction = glm::normalize(ahead * random.range(0.35f, 0.8f) + side),
-                                  .length = length, .radius = start.radius * 0.55f, .tipRadius = start.radius * 0.08f,
-                                  .rings = shape.branchRings, .upturn = shape.lying ? 0.0f : 0.5f, .gnarl = 0.36f}, random);
+    const Limb branch = growLimb({.from = start.centre,
+                                  .direction = glm::normalize(ahead * random.range(0.35f, 0.8f) + side),
+                                  .length = length,
+                                  .radius = start.radius * 0.55f,
+                                  .tipRadius = start.radius * 0.08f,
+                                  .rings = shape.branchRings,
+                                  .upturn = shape.lying ? 0.0f : 0.5f,
+                                  .gnarl = 0.36f},
+                                 random);
     addBare(mesh, branch, shape.branchSides, surface, std::uint32_t(i));
     for (int k = 0; k < (broken < 1 ? 1 : shape.twigs); ++k) {
         const float at = random.range(0.35f, 0.92f);
         const Ring knot = ringAt(branch, at);
         const glm::vec3 direction = glm::normalize(directionAt(branch, at) * 0.7f + random.direction() * 0.8f);
-        addBare(mesh, growLimb({.from = knot.centre, .direction = direction, .length = length * random.range(0.25f, 0.5f),
-                                .radius = knot.radius * 0.6f, .tipRadius = 0.003f, .rings = 3, .upturn = 0.2f, .gnarl = 0.4f}, random),
+        addBare(mesh,
+                growLimb({.from = knot.centre,
+                          .direction = direction,
+                          .length = length * random.range(0.25f, 0.5f),
+                          .radius = knot.radius * 0.6f,
+                          .tipRadius = 0.003f,
+                          .rings = 3,
+                          .upturn = 0.2f,
+                          .gnarl = 0.4f},
+                         random),
                 shape.twigSides, surface, 5);
     }
 }
 
 Limb lyingTrunk(const DeadShape& shape, Random& random)
 {
-    Limb limb = growLimb({.from = {-shape.height * 0.45f, shape.radius * 0.7f, 0}, .direction = {1, 0.02f, 0}, .length = shape.height,
-                          .radius = shape.radius, .tipRadius = shape.radius * 0.12f, .rings = shape.rings, .upturn = 0, .gnarl = 0.13f}, random);
+    Limb limb = growLimb({.from = {-shape.height * 0.45f, shape.radius * 0.7f, 0},
+                          .direction = {1, 0.02f, 0},
+                          .length = shape.height,
+                          .radius = shape.radius,
+                          .tipRadius = shape.radius * 0.12f,
+                          .rings = shape.rings,
+                          .upturn = 0,
+                          .gnarl = 0.13f},
+                         random);
     for (Ring& ring : limb.rings)
         ring.centre.y = std::max(ring.radius * 0.6f, ring.centre.y * 0.35f + ring.radius * 0.4f);
     return limb;
@@ -64,12 +86,24 @@ Mesh growDead(const DeadShape& shape)
     Mesh mesh;
     const int surface = mesh.surface({.texture = "bark_dead", .roughness = 0.9f});
     Limb trunk = shape.lying ? lyingTrunk(shape, random)
-                             : growTrunk({.height = shape.height, .radius = shape.radius, .rings = shape.rings, .gnarl = 0.10f,
-                                          .lean = 0.05f, .tipShare = 0.16f, .flare = 0.7f}, random);
+                             : growTrunk({.height = shape.height,
+                                          .radius = shape.radius,
+                                          .rings = shape.rings,
+                                          .gnarl = 0.10f,
+                                          .lean = 0.05f,
+                                          .tipShare = 0.16f,
+                                          .flare = 0.7f},
+                                         random);
     for (Ring& ring : trunk.rings)
         ring.light = shape.lying ? 0.85f : glm::mix(0.55f, 1.0f, glm::smoothstep(-0.2f, 1.2f, ring.centre.y));
-    addTube(mesh, trunk.rings, {.sides = shape.sides, .surface = surface, .around = 2, .metres = 1.8f, .pointed = true,
-                                .seed = std::uint32_t(shape.seed), .wobble = 0.16f});
+    addTube(mesh, trunk.rings,
+            {.sides = shape.sides,
+             .surface = surface,
+             .around = 2,
+             .metres = 1.8f,
+             .pointed = true,
+             .seed = std::uint32_t(shape.seed),
+             .wobble = 0.16f});
     for (int i = 0; i < shape.branches; ++i)
         addBareBranch(mesh, shape, trunk, i, surface, random);
     refineTo(mesh, shape.triangles, grain(shape.radius * 0.10f, std::uint32_t(shape.seed)));
@@ -88,10 +122,13 @@ Mesh makeStump(const StumpShape& shape)
         const float t = float(i) / float(shape.rings - 1);
         const float y = glm::mix(-0.25f, shape.height, t);
         const float foot = std::exp(-std::max(0.0f, y) / (shape.radius * 0.55f));
-        rings.push_back({.centre = {0, y, 0}, .radius = shape.radius * (1 + 0.45f * foot),
-                         .light = glm::mix(0.5f, 1.0f, glm::smoothstep(-0.1f, 0.4f, y)), .flare = 0.75f * foot});
+        rings.push_back({.centre = {0, y, 0},
+                         .radius = shape.radius * (1 + 0.45f * foot),
+                         .light = glm::mix(0.5f, 1.0f, glm::smoothstep(-0.1f, 0.4f, y)),
+                         .flare = 0.75f * foot});
     }
-    const TubeLook look{.sides = shape.sides, .surface = bark, .around = 2, .metres = 1.1f, .seed = seed, .wobble = 0.13f};
+    const TubeLook look{
+        .sides = shape.sides, .surface = bark, .around = 2, .metres = 1.1f, .seed = seed, .wobble = 0.13f};
     addTube(mesh, rings, look);
     addCap(mesh, rimOf(rings[rings.size() - 2], rings.back(), look), wood);
 

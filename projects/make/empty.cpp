@@ -9,7 +9,10 @@ namespace make {
 io::Status makeEmpty(const std::filesystem::path& folder, Textures& textures)
 {
     io::HeightMap land = blankHeights(513, 1);
-    fill(land, [](glm::vec2 p) { return 12 + 9 * fbm(p / 160.0f, 11, {.count = 4}) * glm::smoothstep(10.0f, 130.0f, glm::length(p)); });
+    fill(land, [](glm::vec2 p) {
+        const float away = glm::smoothstep(15.0f, 200.0f, glm::length(p)); // level where one starts
+        return 8 + away * (11 + 26 * fbm(p / 170.0f, 11, {.count = 5}));
+    });
     finish(land);
     Stage stage{folder, "Empty", land, textures};
     for (const char* name : {"oak", "fir", "rock_mossy", "bush"})
@@ -26,9 +29,11 @@ io::Status makeEmpty(const std::filesystem::path& folder, Textures& textures)
     if (io::Status ground = stage.addGround({grass, dry, scree, rock}, 512, -20, 60); !ground) return ground;
     io::Environment environment;
     environment.time = 9.5f;
+    environment.exposure = 3.3f;
+    environment.clouds.coverage = 0.4f;
     environment.fog.density = 0.0004f;
     stage.setEnvironment(environment);
-    stage.setViews({cameraAt(stage, "start", {0, 6, 40}, {0, 2, 0}, 60)}, {});
+    stage.setViews({cameraAt(stage, "start", {0, 9, 46}, {0, 4, 0}, 60)}, {});
     return stage.save();
 }
 

@@ -19,16 +19,19 @@ struct Bough {
 void addBough(Mesh& mesh, int surface, const Bough& bough, const FirShape& shape, Random& random)
 {
     const glm::vec3 along = bough.tip - bough.root;
-    const glm::vec3 side = glm::normalize(glm::cross(along, glm::vec3{0, 1, 0}) + glm::vec3{1e-4f, 0, 0}) * bough.halfWidth;
+    const glm::vec3 side =
+        glm::normalize(glm::cross(along, glm::vec3{0, 1, 0}) + glm::vec3{1e-4f, 0, 0}) * bough.halfWidth;
     const glm::vec3 fall{0, -bough.halfWidth * bough.slope, 0};
     const float tone = random.range(0.82f, 1.0f);
     const glm::vec3 tint{tone * random.range(0.92f, 1.0f), tone, tone * random.range(0.85f, 1.0f)};
     const auto corner = [&](float t, float across) {
-        io::Vertex v{.position = bough.root + along * t + side * across + fall * std::abs(across), .uv0 = {0.5f + across * 0.5f, 1 - t}};
+        io::Vertex v{.position = bough.root + along * t + side * across + fall * std::abs(across),
+                     .uv0 = {0.5f + across * 0.5f, 1 - t}};
         const glm::vec3 axis{0, v.position.y, 0};
         const glm::vec3 out = glm::normalize(v.position - axis + glm::vec3{1e-4f, 0, 0});
         v.normal = glm::normalize(out * 0.75f + glm::vec3{0, 0.62f, 0} + side / bough.halfWidth * across * 0.35f);
-        v.colour = shade(bough.light * glm::mix(0.42f, 1.0f, t) * (v.position.y < shape.height * 0.3f ? 0.9f : 1.0f), tint);
+        v.colour =
+            shade(bough.light * glm::mix(0.42f, 1.0f, t) * (v.position.y < shape.height * 0.3f ? 0.9f : 1.0f), tint);
         return v;
     };
     mesh.addQuad({corner(0, 0), corner(0, 1), corner(1, 1), corner(1, 0)}, surface);
@@ -45,18 +48,26 @@ void addBoughs(Mesh& mesh, const FirShape& shape, int count)
         const float height = glm::mix(shape.crownBase, 0.985f, share) * shape.height;
         const float azimuth = float(i) * 2.39996f + random.bell() * 0.4f;
         const float lower = std::min(1.0f, 0.72f + share * 3.0f); // the lowest branches are thin
-        const float reach = std::max(0.32f, shape.crownRadius * (std::pow(1 - share, 0.82f) + 0.035f) * lower * random.range(0.82f, 1.1f));
+        const float reach = std::max(0.32f, shape.crownRadius * (std::pow(1 - share, 0.82f) + 0.035f) * lower *
+                                                random.range(0.82f, 1.1f));
         const float pitch = glm::mix(-0.36f, 0.62f, std::pow(share, 1.3f)) + random.bell() * 0.10f;
         const glm::vec3 out{std::cos(azimuth) * std::cos(pitch), std::sin(pitch), std::sin(azimuth) * std::cos(pitch)};
-        addBough(mesh, surface, {.root = glm::vec3{0, height, 0} + out * 0.04f, .tip = glm::vec3{0, height, 0} + out * reach,
-                                 .halfWidth = reach * glm::mix(0.44f, 0.62f, share), .slope = random.range(0.35f, 0.75f),
-                                 .light = random.range(0.85f, 1.0f)}, shape, random);
+        addBough(mesh, surface,
+                 {.root = glm::vec3{0, height, 0} + out * 0.04f,
+                  .tip = glm::vec3{0, height, 0} + out * reach,
+                  .halfWidth = reach * glm::mix(0.44f, 0.62f, share),
+                  .slope = random.range(0.35f, 0.75f),
+                  .light = random.range(0.85f, 1.0f)},
+                 shape, random);
     }
     for (int i = 0; i < 2; ++i) { // the leader
-        const glm::vec3 right = i == 0 ? glm::vec3{shape.height * 0.014f, 0, 0} : glm::vec3{0, 0, shape.height * 0.014f};
-        std::array<io::Vertex, 4> corners = cornersOf({.base = {0, shape.height * 0.955f, 0}, .up = {0, shape.height * 0.07f, 0}, .right = right});
+        const glm::vec3 right =
+            i == 0 ? glm::vec3{shape.height * 0.014f, 0, 0} : glm::vec3{0, 0, shape.height * 0.014f};
+        std::array<io::Vertex, 4> corners =
+            cornersOf({.base = {0, shape.height * 0.955f, 0}, .up = {0, shape.height * 0.07f, 0}, .right = right});
         for (io::Vertex& corner : corners) {
-            corner.normal = glm::normalize(glm::vec3{corner.position.x, 0.3f, corner.position.z} + glm::vec3{0, 1e-3f, 0});
+            corner.normal =
+                glm::normalize(glm::vec3{corner.position.x, 0.3f, corner.position.z} + glm::vec3{0, 1e-3f, 0});
             corner.colour = shade(0.95f);
         }
         mesh.addQuad(corners, surface);
@@ -68,13 +79,25 @@ void addBoughs(Mesh& mesh, const FirShape& shape, int count)
 Mesh growFir(const FirShape& shape)
 {
     Random random{shape.seed};
-    Limb trunk = growTrunk({.height = shape.height * 0.97f, .radius = shape.trunkRadius, .rings = shape.trunkRings,
-                            .gnarl = 0, .lean = 0, .tipShare = 0.06f, .flare = 0.4f}, random);
+    Limb trunk = growTrunk({.height = shape.height * 0.97f,
+                            .radius = shape.trunkRadius,
+                            .rings = shape.trunkRings,
+                            .gnarl = 0,
+                            .lean = 0,
+                            .tipShare = 0.06f,
+                            .flare = 0.4f},
+                           random);
     for (Ring& ring : trunk.rings)
         ring.light = ring.centre.y > shape.height * shape.crownBase ? 0.42f : 0.75f;
     Mesh mesh;
     const int bark = mesh.surface({.texture = "bark_fir", .roughness = 0.92f});
-    addTube(mesh, trunk.rings, {.sides = shape.trunkSides, .surface = bark, .around = 3, .metres = 0.9f, .seed = std::uint32_t(shape.seed), .wobble = 0.06f});
+    addTube(mesh, trunk.rings,
+            {.sides = shape.trunkSides,
+             .surface = bark,
+             .around = 3,
+             .metres = 0.9f,
+             .seed = std::uint32_t(shape.seed),
+             .wobble = 0.06f});
     smoothNormals(mesh, 80);
 
     int boughs = shape.branches;

@@ -16,10 +16,11 @@ struct Share {
     float room; // m
 };
 
-const Share kSets[] = {{"Rock2", 65, 1.6f},     {"Campfire", 3, 3},        {"Axe", 2, 0.6f},         {"Tree1", 657, 2.6f},
-                       {"Tree2", 629, 2.6f},    {"AutumnTree1", 635, 2.0f},
-                       {"Tree3", 651, 2.0f},    {"AutumnTree2", 676, 2.8f}, {"FirTree", 166, 2.0f},   {"DeadBranch", 65, 1.2f},
-                       {"DeadTree", 172, 1.8f}, {"Stump", 1, 1.2f},        {"Stump2", 1, 1.5f}};
+const Share kSets[] = {{"Rock2", 65, 1.6f},      {"Campfire", 3, 3},         {"Axe", 2, 0.6f},
+                       {"Tree1", 657, 2.6f},     {"Tree2", 629, 2.6f},       {"AutumnTree1", 635, 2.0f},
+                       {"Tree3", 651, 2.0f},     {"AutumnTree2", 676, 2.8f}, {"FirTree", 166, 2.0f},
+                       {"DeadBranch", 65, 1.2f}, {"DeadTree", 172, 1.8f},    {"Stump", 1, 1.2f},
+                       {"Stump2", 1, 1.5f}};
 constexpr int kThings[] = {4, 6, 13}; // of kSets in set 1, 2, 3
 
 io::HeightMap hills()
@@ -28,7 +29,8 @@ io::HeightMap hills()
     fill(land, [](glm::vec2 p) {
         const glm::vec2 warp = 60.0f * glm::vec2{fbm(p / 300.0f, 3, {.count = 3}), fbm(p / 300.0f, 4, {.count = 3})};
         const float rim = glm::smoothstep(180.0f, 560.0f, glm::length(p));
-        return 24 + 15 * fbm((p + warp) / 240.0f, 5, {.count = 5}) + rim * (10 + 46 * ridged((p + warp) / 330.0f, 6, {.count = 4}));
+        return 24 + 15 * fbm((p + warp) / 240.0f, 5, {.count = 5}) +
+               rim * (10 + 46 * ridged((p + warp) / 330.0f, 6, {.count = 4}));
     });
     rainOn(land, {.drops = 120000, .steps = 44, .seed = 7});
     settle(land, 48, 4);
@@ -50,10 +52,14 @@ void spread(Stage& stage, const Share& share)
 {
     Random random{hash(share.what)};
     int placed = 0;
+    if (share.what == "Campfire" || share.what == "Axe") { // the first of each in the clearing
+        stage.put({.what = share.what, .at = share.what == "Axe" ? glm::vec2{-1.5f, 2} : glm::vec2{-4, -3}}, random);
+        ++placed;
+    }
     for (int attempt = 0; placed < share.count; ++attempt) {
         const glm::vec2 at = placeFor(random);
         const float ease = attempt > 200000 ? 0.6f : 1.0f; // the middle is full: stand closer
-        const bool clearing = glm::length(at) < 13 && share.what != "Campfire" && share.what != "Axe";
+        const bool clearing = glm::length(at) < 16 && share.what != "Campfire" && share.what != "Axe";
         if (clearing || slopeAt(stage.heights(), at) > 34 || !stage.isFree(at, share.room * ease)) continue;
         stage.put({.what = share.what, .at = at}, random);
         stage.take(at, share.room);
@@ -64,7 +70,7 @@ void spread(Stage& stage, const Share& share)
 void setViews(Stage& stage)
 {
     std::vector<io::Camera> cameras{
-        cameraAt(stage, "start", {14, 2.2f, 18}, {-20, 6, -26}, 60),
+        cameraAt(stage, "start", {4, 1.7f, 5}, {-14, 4, -16}, 60),
         cameraAt(stage, "above", {-230, 70, 300}, {10, 0, -20}, 55),
         cameraAt(stage, "inside", {60, 2, -40}, {0, 4, 0}, 65),
     };
@@ -105,9 +111,10 @@ io::Status makeForest(const std::filesystem::path& folder, int set, Textures& te
     stage.addModels(forestEntries().first(things.size()));
     if (io::Status ground = stage.addGround(layers(), 512, 0, 400); !ground) return ground;
     io::Environment environment;
-    environment.time = 9.5f;
+    environment.time = 10;
     environment.dayOfYear = 264;
-    environment.exposure = 2;
+    environment.exposure = 3.6f;
+    environment.sky.ambient = 1.3f;
     environment.fog.density = 0.0005f;
     environment.fog.height = 120;
     stage.setEnvironment(environment);

@@ -36,7 +36,7 @@ Canvas paintSoil(std::uint32_t seed, glm::vec3 dark, glm::vec3 light)
 
 struct Blades {
     int count = 30000;
-    float shortest = 14, longest = 34;             // texels
+    float shortest = 14, longest = 34; // texels
     glm::vec3 dark, light, straw;
     float strawShare = 0.12f;
 };
@@ -58,22 +58,34 @@ void growBlades(Canvas& canvas, const Blades& blades, std::uint32_t seed)
         const float dry = blades.strawShare * (1 + 1.6f * patches(place, seed + 3, 4));
         if (random.chance(dry)) colour = glm::mix(colour, blades.straw, random.range(0.35f, 0.9f));
         const glm::vec2 to = at + glm::vec2{std::cos(angle), std::sin(angle)} * length;
-        paint(canvas, Stroke{.from = at, .to = to, .widthFrom = random.range(2.2f, 3.6f), .widthTo = 1.0f,
-                             .colourFrom = colour * 0.72f, .colourTo = colour * 1.08f, .height = 0.9f, .tiles = true});
+        paint(canvas, Stroke{.from = at,
+                             .to = to,
+                             .widthFrom = random.range(2.2f, 3.6f),
+                             .widthTo = 1.0f,
+                             .colourFrom = colour * 0.72f,
+                             .colourTo = colour * 1.08f,
+                             .height = 0.9f,
+                             .tiles = true});
     }
 }
 
 void scatterLeaves(Canvas& canvas, int count, std::uint32_t seed)
 {
     Random random{seed};
-    const glm::vec3 tones[] = {rgb(0x4a3a26), rgb(0x6a4e2e), rgb(0x7d5c34), rgb(0x57462e), rgb(0x8a6c42), rgb(0x3c3020)};
+    const glm::vec3 tones[] = {rgb(0x4a3a26), rgb(0x6a4e2e), rgb(0x7d5c34),
+                               rgb(0x57462e), rgb(0x8a6c42), rgb(0x3c3020)};
     for (int i = 0; i < count; ++i) {
         const float depth = float(i) / float(count);
         const glm::vec3 tone = glm::mix(tones[random.below(6)], tones[random.below(6)], random.unit());
-        paint(canvas, LeafMark{.kind = Leaf(random.below(4)), .base = {random.range(0, kSide), random.range(0, kSide)},
-                               .angle = random.range(0, 6.28f), .length = random.range(22, 46),
-                               .squash = random.range(0.45f, 1.0f), .colour = tone * (0.62f + 0.45f * depth),
-                               .shade = 0.3f, .tiles = true, .height = 2.2f});
+        paint(canvas, LeafMark{.kind = Leaf(random.below(4)),
+                               .base = {random.range(0, kSide), random.range(0, kSide)},
+                               .angle = random.range(0, 6.28f),
+                               .length = random.range(22, 46),
+                               .squash = random.range(0.45f, 1.0f),
+                               .colour = tone * (0.62f + 0.45f * depth),
+                               .shade = 0.3f,
+                               .tiles = true,
+                               .height = 2.2f});
     }
 }
 
@@ -85,9 +97,14 @@ void scatterTwigs(Canvas& canvas, int count, std::uint32_t seed)
         const float angle = random.range(0, 6.28f);
         const float length = random.range(20, 110);
         const glm::vec3 colour = glm::mix(rgb(0x42362a), rgb(0x80705c), random.unit());
-        paint(canvas, Stroke{.from = at, .to = at + glm::vec2{std::cos(angle), std::sin(angle)} * length,
-                             .widthFrom = random.range(2, 5), .widthTo = 1.5f, .colourFrom = colour,
-                             .colourTo = colour * 0.9f, .height = 3, .tiles = true});
+        paint(canvas, Stroke{.from = at,
+                             .to = at + glm::vec2{std::cos(angle), std::sin(angle)} * length,
+                             .widthFrom = random.range(2, 5),
+                             .widthTo = 1.5f,
+                             .colourFrom = colour,
+                             .colourTo = colour * 0.9f,
+                             .height = 3,
+                             .tiles = true});
     }
 }
 
@@ -129,7 +146,8 @@ void layStone(Canvas& canvas, glm::vec2 centre, float radius, glm::vec3 colour, 
 
 glm::vec3 stoneColour(Random& random)
 {
-    const glm::vec3 tones[] = {rgb(0x807a70), rgb(0x9a9284), rgb(0x6b6862), rgb(0x8d7f6a), rgb(0xa59c90), rgb(0x746a60)};
+    const glm::vec3 tones[] = {rgb(0x807a70), rgb(0x9a9284), rgb(0x6b6862),
+                               rgb(0x8d7f6a), rgb(0xa59c90), rgb(0x746a60)};
     return glm::mix(tones[random.below(6)], tones[random.below(6)], random.unit()) * random.range(0.85f, 1.08f);
 }
 
@@ -151,7 +169,8 @@ Canvas paintRockFace(std::uint32_t seed)
         const glm::vec2 warp{patches(p, seed + 1, 4), patches(p, seed + 2, 4)};
         const glm::vec2 bed{p.x * 3 + warp.x, p.y * 9 + warp.y * 1.6f};
         const float strata = fbm(bed, seed + 3, {.count = 6, .gain = 0.62f, .period = {3, 9}});
-        const float broken = ridged(p * glm::vec2{4, 6} + warp * 0.7f, seed + 4, {.count = 6, .gain = 0.6f, .period = {4, 6}});
+        const float broken =
+            ridged(p * glm::vec2{4, 6} + warp * 0.7f, seed + 4, {.count = 6, .gain = 0.6f, .period = {4, 6}});
         const Cells block = cells(p * glm::vec2{5, 8} + warp * 1.5f, seed + 5, {5, 8});
         const float facet = (unitOf(block.id) - 0.5f) * smooth(0.0f, 0.25f, block.second - block.nearest);
         const float fine = fbm(p * 48.0f, seed + 6, {.count = 4, .gain = 0.68f, .period = {48, 48}});
@@ -174,23 +193,41 @@ Canvas paintGround(std::string_view name)
     const std::uint32_t seed = hash(name);
     if (name == "ground_grass") {
         Canvas canvas = paintSoil(seed, rgb(0x241f12), rgb(0x3f3620));
-        growBlades(canvas, {.count = 44000, .dark = rgb(0x2b3613), .light = rgb(0x76823a), .straw = rgb(0x9c8c52),
-                            .strawShare = 0.10f}, seed + 1);
+        growBlades(canvas,
+                   {.count = 44000,
+                    .dark = rgb(0x283818),
+                    .light = rgb(0x6d823e),
+                    .straw = rgb(0x90854e),
+                    .strawShare = 0.10f},
+                   seed + 1);
         return canvas;
     }
     if (name == "ground_dry") {
         Canvas canvas = paintSoil(seed, rgb(0x3a3020), rgb(0x66583c));
         scatterStones(canvas, 260, 4, 15, seed + 2);
-        growBlades(canvas, {.count = 26000, .shortest = 12, .longest = 30, .dark = rgb(0x464522), .light = rgb(0x8f8a4c),
-                            .straw = rgb(0xb8a468), .strawShare = 0.42f}, seed + 1);
+        growBlades(canvas,
+                   {.count = 26000,
+                    .shortest = 12,
+                    .longest = 30,
+                    .dark = rgb(0x464522),
+                    .light = rgb(0x8f8a4c),
+                    .straw = rgb(0xb8a468),
+                    .strawShare = 0.42f},
+                   seed + 1);
         return canvas;
     }
     if (name == "ground_forest") {
         Canvas canvas = paintSoil(seed, rgb(0x231a10), rgb(0x44341f));
         scatterLeaves(canvas, 4200, seed + 1);
         growMoss(canvas, seed + 2);
-        growBlades(canvas, {.count = 12500, .shortest = 10, .longest = 26, .dark = rgb(0x2c3616), .light = rgb(0x67743a),
-                            .straw = rgb(0x8a7a48)}, seed + 3);
+        growBlades(canvas,
+                   {.count = 12500,
+                    .shortest = 10,
+                    .longest = 26,
+                    .dark = rgb(0x2c3616),
+                    .light = rgb(0x67743a),
+                    .straw = rgb(0x8a7a48)},
+                   seed + 3);
         scatterLeaves(canvas, 420, seed + 4);
         scatterTwigs(canvas, 130, seed + 5);
         return canvas;
@@ -202,8 +239,15 @@ Canvas paintGround(std::string_view name)
     }
     if (name == "ground_scree") {
         Canvas canvas = paintSoil(seed, rgb(0x4a4233), rgb(0x7d7058));
-        growBlades(canvas, {.count = 5000, .shortest = 10, .longest = 24, .dark = rgb(0x3c3f1e), .light = rgb(0x7d7c44),
-                            .straw = rgb(0xa8965c), .strawShare = 0.35f}, seed + 2);
+        growBlades(canvas,
+                   {.count = 5000,
+                    .shortest = 10,
+                    .longest = 24,
+                    .dark = rgb(0x3c3f1e),
+                    .light = rgb(0x7d7c44),
+                    .straw = rgb(0xa8965c),
+                    .strawShare = 0.35f},
+                   seed + 2);
         scatterStones(canvas, 1900, 3, 34, seed + 1);
         return canvas;
     }

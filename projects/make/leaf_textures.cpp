@@ -15,7 +15,7 @@ constexpr int kSide = 1024; // painted at twice the size it is kept in
 
 struct Palette {
     glm::vec3 dark, middle, light;
-    glm::vec3 odd;          // a few leaves
+    glm::vec3 odd; // a few leaves
     float oddShare = 0.06f;
 
     glm::vec3 pick(Random& random, float depth) const // depth 0 back … 1 front
@@ -83,7 +83,8 @@ std::vector<Twig> twigsOf(const Spray& spray, Random& random)
     return twigs;
 }
 
-void leavesAlong(Canvas& canvas, const Spray& spray, const Twig& twig, float depth, std::uint32_t outline, Random& random)
+void leavesAlong(Canvas& canvas, const Spray& spray, const Twig& twig, float depth, std::uint32_t outline,
+                 Random& random)
 {
     const glm::vec2 along = twig.to - twig.from;
     const float length = glm::length(along);
@@ -114,8 +115,12 @@ Canvas paintSpray(const Spray& spray, std::uint32_t seed)
             std::swap(order[i - 1], order[std::size_t(random.below(int(i)))]);
         for (const Twig& twig : order) {
             if (pass == 1 && inside(twig.to, seed)) {
-                paint(canvas, Stroke{.from = twig.from, .to = twig.to, .widthFrom = twig.width,
-                                     .widthTo = twig.width * 0.7f, .colourFrom = spray.twig, .colourTo = spray.twig});
+                paint(canvas, Stroke{.from = twig.from,
+                                     .to = twig.to,
+                                     .widthFrom = twig.width,
+                                     .widthTo = twig.width * 0.7f,
+                                     .colourFrom = spray.twig,
+                                     .colourTo = spray.twig});
             }
             leavesAlong(canvas, spray, twig, depth, seed, random);
         }
@@ -135,10 +140,16 @@ void needles(Canvas& canvas, const Twig& twig, float length, float tint, Random&
         for (const float side : {-1.0f, 1.0f}) {
             const float angle = heading + side * random.range(0.5f, 1.15f);
             const glm::vec2 base = twig.from + along * t;
-            const glm::vec2 tip = base + glm::vec2{std::sin(angle), -std::cos(angle)} * length * random.range(0.7f, 1.1f);
-            const glm::vec3 colour = glm::mix(dark, bright, std::clamp(0.35f + 0.5f * t + random.bell() * 0.4f, 0.0f, 1.0f));
-            paint(canvas, Stroke{.from = base, .to = tip, .widthFrom = 4.4f, .widthTo = 2.0f,
-                                 .colourFrom = colour * 0.75f, .colourTo = colour});
+            const glm::vec2 tip =
+                base + glm::vec2{std::sin(angle), -std::cos(angle)} * length * random.range(0.7f, 1.1f);
+            const glm::vec3 colour =
+                glm::mix(dark, bright, std::clamp(0.35f + 0.5f * t + random.bell() * 0.4f, 0.0f, 1.0f));
+            paint(canvas, Stroke{.from = base,
+                                 .to = tip,
+                                 .widthFrom = 4.4f,
+                                 .widthTo = 2.0f,
+                                 .colourFrom = colour * 0.75f,
+                                 .colourTo = colour});
         }
     }
 }
@@ -159,95 +170,21 @@ Canvas paintFir(std::uint32_t seed)
                 const glm::vec2 from = glm::mix(root, top, t + random.bell() * 0.01f);
                 const glm::vec2 to = from + glm::vec2{std::sin(angle), -std::cos(angle)} * length;
                 const Twig twig{from, to, 5};
-                paint(canvas, Stroke{.from = from, .to = to, .widthFrom = 7, .widthTo = 3,
-                                     .colourFrom = rgb(0x3a2c1c), .colourTo = rgb(0x35401f)});
+                paint(canvas, Stroke{.from = from,
+                                     .to = to,
+                                     .widthFrom = 7,
+                                     .widthTo = 3,
+                                     .colourFrom = rgb(0x3a2c1c),
+                                     .colourTo = rgb(0x35401f)});
                 needles(canvas, twig, 25, pass == 0 ? 0.1f : 0.8f, random);
             }
-        paint(canvas, Stroke{.from = root, .to = top, .widthFrom = 14, .widthTo = 5, .colourFrom = rgb(0x3b2d1e),
+        paint(canvas, Stroke{.from = root,
+                             .to = top,
+                             .widthFrom = 14,
+                             .widthTo = 5,
+                             .colourFrom = rgb(0x3b2d1e),
                              .colourTo = rgb(0x3a3a20)});
         needles(canvas, {root, top, 8}, 34, 0.7f, random);
-    }
-    return canvas;
-}
-
-// A tuft of blades that rise from the bottom edge; for grass, and with wide blades for reeds.
-Canvas paintTuft(std::uint32_t seed, bool dry)
-{
-    Canvas canvas{kSide, {.colour = dry ? rgb(0x7a6a3a) : rgb(0x4a5a26), .alpha = 0}};
-    Random random{seed};
-    for (int i = 0; i < 230; ++i) {
-        const float depth = float(i) / 230;
-        glm::vec2 at{kSide * (0.5f + 0.34f * random.bell()), float(kSide) + 4};
-        float heading = (at.x / kSide - 0.5f) * 1.2f + random.bell() * 0.35f;
-        const float bend = (heading > 0 ? 1.0f : -1.0f) * random.range(0.02f, 0.13f);
-        const float length = kSide * random.range(0.45f, 0.98f);
-        const glm::vec3 green = glm::mix(rgb(0x36441b), rgb(0x6d7a36), depth);
-        const glm::vec3 straw = glm::mix(rgb(0x5c5030), rgb(0x9c8c58), depth);
-        const glm::vec3 colour = glm::mix(green, straw, dry ? random.range(0.5f, 1.0f) : random.range(0.0f, 0.22f));
-        const int steps = 9;
-        for (int s = 0; s < steps; ++s) {
-            const float t = float(s) / steps;
-            const glm::vec2 next = at + glm::vec2{std::sin(heading), -std::cos(heading)} * (length / steps);
-            if (next.x < 6 || next.x > kSide - 6) break;
-            const float width = 15 * (1 - t * 0.85f);
-            paint(canvas, Stroke{.from = at, .to = next, .widthFrom = width, .widthTo = width * 0.86f,
-                                 .colourFrom = colour * (0.55f + 0.6f * t), .colourTo = colour * (0.62f + 0.6f * t)});
-            at = next;
-            heading += bend * (1 + t);
-        }
-    }
-    return canvas;
-}
-
-// One fern frond, stalk at the bottom, leaflets in pairs that shorten towards the tip.
-Canvas paintFern(std::uint32_t seed)
-{
-    Canvas canvas{kSide, {.colour = rgb(0x3c5222), .alpha = 0}};
-    Random random{seed};
-    for (float t = 0.06f; t < 0.98f; t += 0.040f)
-        for (const float side : {-1.0f, 1.0f}) {
-            const glm::vec2 from{kSide * (0.5f + 0.02f * std::sin(t * 5)), kSide * (1 - t * 0.97f)};
-            const float length = kSide * 0.46f * std::pow(1 - t, 0.75f) * std::min(1.0f, 0.3f + t * 3.5f);
-            const float angle = side * (1.25f - 0.35f * t + random.bell() * 0.06f);
-            const glm::vec2 out{std::sin(angle), -std::cos(angle)};
-            for (float d = 0.03f; d < 1; d += 0.055f)
-                for (const float half : {-1.0f, 1.0f}) {
-                    LeafMark leaf{.kind = Leaf::Simple, .base = from + out * (length * d)};
-                    leaf.angle = angle + half * 0.95f;
-                    leaf.length = std::max(20.0f, 62 * (1 - d * 0.55f) * (1 - t * 0.45f));
-                    leaf.colour = glm::mix(rgb(0x35501d), rgb(0x7c9440), 0.35f * t + 0.4f * d + 0.25f * random.unit());
-                    leaf.shade = 0.2f;
-                    paint(canvas, leaf);
-                }
-        }
-    paint(canvas, Stroke{.from = {kSide * 0.5f, kSide}, .to = {kSide * 0.5f, kSide * 0.06f}, .widthFrom = 13,
-                         .widthTo = 4, .colourFrom = rgb(0x5a4a28), .colourTo = rgb(0x6d7a38)});
-    return canvas;
-}
-
-// Wild flowers: thin stalks with small leaves, heads of five petals.
-Canvas paintFlowers(std::uint32_t seed)
-{
-    Canvas canvas{kSide, {.colour = rgb(0x4c5e28), .alpha = 0}};
-    Random random{seed};
-    for (int i = 0; i < 44; ++i) {
-        const glm::vec2 root{kSide * (0.5f + 0.4f * random.bell()), float(kSide)};
-        const glm::vec2 head = root + glm::vec2{(root.x - kSide * 0.5f) * random.range(0.1f, 0.5f),
-                                                -kSide * random.range(0.35f, 0.90f)};
-        const glm::vec3 green = glm::mix(rgb(0x3d5020), rgb(0x76863c), random.unit());
-        paint(canvas, Stroke{.from = root, .to = head, .widthFrom = 9, .widthTo = 5, .colourFrom = green * 0.7f, .colourTo = green});
-        for (int l = 0; l < 4; ++l)
-            paint(canvas, LeafMark{.kind = Leaf::Simple, .base = glm::mix(root, head, random.range(0.05f, 0.7f)),
-                                   .angle = random.range(-1.1f, 1.1f), .length = random.range(50.0f, 110.0f), .squash = 0.7f,
-                                   .colour = green * random.range(0.8f, 1.1f)});
-        const int kind = random.below(3);
-        const glm::vec3 petal = kind == 0 ? rgb(0xe8e2d0) : kind == 1 ? rgb(0xd9b640) : rgb(0x8a78b8);
-        for (int p = 0; p < 8; ++p)
-            paint(canvas, LeafMark{.kind = Leaf::Simple, .base = head, .angle = float(p) * 0.785f + random.bell() * 0.15f,
-                                   .length = random.range(28.0f, 40.0f), .squash = 1.2f,
-                                   .colour = petal * random.range(0.85f, 1.05f), .shade = 0.1f});
-        paint(canvas, Stroke{.from = head, .to = head + glm::vec2{0, 1}, .widthFrom = 20, .widthTo = 20,
-                             .colourFrom = rgb(0xa87820), .colourTo = rgb(0xa87820)});
     }
     return canvas;
 }
@@ -257,29 +194,28 @@ Spray sprayOf(std::string_view name)
     const Palette oak{rgb(0x2c3a18), rgb(0x55662a), rgb(0x83904a), rgb(0x9a8a48)};
     const Palette birch{rgb(0x3c481e), rgb(0x70803a), rgb(0x9ca45a), rgb(0xb8a850)};
     const Palette beech{rgb(0x2c3c18), rgb(0x56682c), rgb(0x84904c), rgb(0xa0984a)};
-    const Palette russet{rgb(0x46301a), rgb(0x85592f), rgb(0xb08a4c), rgb(0x747638), 0.22f};
-    const Palette gold{rgb(0x6a5418), rgb(0xb89430), rgb(0xdcc060), rgb(0x8c9440), 0.10f};
-    const Palette copper{rgb(0x4c2c14), rgb(0x96602e), rgb(0xc4984e), rgb(0x94904a), 0.28f};
+    const Palette russet{rgb(0x46301a), rgb(0x7d5a34), rgb(0xa68a52), rgb(0x747638), 0.22f};
+    const Palette gold{rgb(0x6a5418), rgb(0xa88c3a), rgb(0xccb468), rgb(0x8c9440), 0.10f};
+    const Palette copper{rgb(0x4c2c14), rgb(0x8c6234), rgb(0xb89656), rgb(0x94904a), 0.28f};
     const Palette shrub{rgb(0x26341a), rgb(0x4a5c2c), rgb(0x76864a), rgb(0x8a5a40)};
-    if (name == "leaf_oak") return {.leaf = Leaf::Oak, .palette = oak, .leafLength = 122, .spacing = 58};
-    if (name == "leaf_birch") return {.leaf = Leaf::Birch, .palette = birch, .leafLength = 86, .spacing = 48, .droop = 0.35f};
-    if (name == "leaf_beech") return {.leaf = Leaf::Beech, .palette = beech, .leafLength = 102, .spacing = 53};
-    if (name == "leaf_oak_autumn") return {.leaf = Leaf::Oak, .palette = russet, .leafLength = 122, .spacing = 62};
+    if (name == "leaf_oak") return {.leaf = Leaf::Oak, .palette = oak, .leafLength = 92, .spacing = 42};
+    if (name == "leaf_birch")
+        return {.leaf = Leaf::Birch, .palette = birch, .leafLength = 66, .spacing = 36, .droop = 0.35f};
+    if (name == "leaf_beech") return {.leaf = Leaf::Beech, .palette = beech, .leafLength = 78, .spacing = 39};
+    if (name == "leaf_oak_autumn") return {.leaf = Leaf::Oak, .palette = russet, .leafLength = 92, .spacing = 45};
     if (name == "leaf_birch_autumn")
-        return {.leaf = Leaf::Birch, .palette = gold, .leafLength = 86, .spacing = 50, .droop = 0.35f};
-    if (name == "leaf_beech_autumn") return {.leaf = Leaf::Beech, .palette = copper, .leafLength = 102, .spacing = 56};
+        return {.leaf = Leaf::Birch, .palette = gold, .leafLength = 66, .spacing = 38, .droop = 0.35f};
+    if (name == "leaf_beech_autumn") return {.leaf = Leaf::Beech, .palette = copper, .leafLength = 78, .spacing = 41};
     EXPECTS(name == "leaf_bush");
-    return {.leaf = Leaf::Beech, .palette = shrub, .leafLength = 78, .spacing = 50};
+    return {.leaf = Leaf::Beech, .palette = shrub, .leafLength = 64, .spacing = 38};
 }
 
 Canvas paintLarge(std::string_view name)
 {
     const std::uint32_t seed = hash(name);
     if (name == "leaf_fir") return paintFir(seed);
-    if (name == "leaf_grass") return paintTuft(seed, false);
-    if (name == "leaf_grass_dry") return paintTuft(seed, true);
-    if (name == "leaf_fern") return paintFern(seed);
-    if (name == "leaf_flowers") return paintFlowers(seed);
+    if (name == "leaf_grass" || name == "leaf_grass_dry" || name == "leaf_fern" || name == "leaf_flowers")
+        return paintPlant(name, kSide);
     return paintSpray(sprayOf(name), seed);
 }
 

@@ -11,7 +11,8 @@ Ring ringAt(const Limb& limb, float share)
     const std::size_t i = std::min(std::size_t(place), limb.rings.size() - 2);
     const float t = place - float(i);
     const Ring &a = limb.rings[i], &b = limb.rings[i + 1];
-    return {.centre = glm::mix(a.centre, b.centre, t), .radius = glm::mix(a.radius, b.radius, t),
+    return {.centre = glm::mix(a.centre, b.centre, t),
+            .radius = glm::mix(a.radius, b.radius, t),
             .light = glm::mix(a.light, b.light, t)};
 }
 
@@ -37,7 +38,8 @@ Limb growTrunk(const TrunkPlan& plan, Random& random)
         const glm::vec2 at = offset + lean * std::max(0.0f, height);
         const float taper = glm::mix(1.0f, plan.tipShare, std::pow(share, 0.9f));
         const float foot = 0.55f * std::exp(-std::max(0.0f, height) / (plan.radius * 2.2f));
-        trunk.rings.push_back({.centre = {at.x, height, at.y}, .radius = plan.radius * taper * (1 + foot),
+        trunk.rings.push_back({.centre = {at.x, height, at.y},
+                               .radius = plan.radius * taper * (1 + foot),
                                .flare = plan.flare * std::exp(-std::max(0.0f, height) / (plan.radius * 1.6f))});
     }
     return trunk;

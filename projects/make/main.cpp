@@ -9,7 +9,8 @@
 int main(int count, char** words)
 {
     if (count < 2) {
-        std::fputs("usage: wold-make-worlds OUTPUT_FOLDER [valley | forest-1 | forest-2 | forest-3 | empty]…\n", stderr);
+        std::fputs("usage: wold-make-worlds OUTPUT_FOLDER [valley | forest-1 | forest-2 | forest-3 | empty]…\n",
+                   stderr);
         return 2;
     }
     make::Textures textures;

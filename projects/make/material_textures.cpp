@@ -26,10 +26,13 @@ Canvas paintRock(std::uint32_t seed, float mossShare)
         const glm::vec2 warp{large, fbm(p * 4.0f, seed + 1, {.count = 4, .period = {4, 4}})};
         const float fine = fbm(p * 32.0f, seed + 2, {.count = 4, .gain = 0.68f, .period = {32, 32}});
         const Cells chip = cells(p * 9.0f + warp * 1.4f, seed + 3, {9, 9});
-        const float crack = smooth(0.07f, 0.0f, ridged(p * 3.0f + warp * 0.3f, seed + 4, {.count = 2, .period = {3, 3}}) < 0.78f
-                                                    ? 1.0f : chip.second - chip.nearest);
+        const float crack = smooth(0.07f, 0.0f,
+                                   ridged(p * 3.0f + warp * 0.3f, seed + 4, {.count = 2, .period = {3, 3}}) < 0.78f
+                                       ? 1.0f
+                                       : chip.second - chip.nearest);
         const float speckle = smooth(0.35f, 0.6f, fine) * 0.5f;
-        const float tone = std::clamp(0.48f + 0.55f * large + 0.28f * fine + 0.16f * (unitOf(chip.id) - 0.5f), 0.0f, 1.0f);
+        const float tone =
+            std::clamp(0.48f + 0.55f * large + 0.28f * fine + 0.16f * (unitOf(chip.id) - 0.5f), 0.0f, 1.0f);
         texel.colour = glm::mix(rgb(0x57534d), rgb(0xa39c90), tone) + speckle * 0.12f;
         texel.colour += glm::vec3{0.04f, 0.012f, -0.025f} * warp.y;
         texel.colour *= 1 - 0.5f * crack;
@@ -78,7 +81,8 @@ Canvas paintPlanks(std::uint32_t seed)
         const float eye = smooth(0.16f, 0.05f, knot.nearest) * (unitOf(knot.id) < 0.4f ? 1.0f : 0.0f);
         const float stain = fbm(p * 4.0f, seed + 5, {.count = 4, .period = {4, 4}});
         const float gap = smooth(0.045f, 0.015f, std::min(across, 1 - across));
-        const float tone = std::clamp(0.45f + 0.5f * grain + 0.35f * stain + 0.4f * (unitOf(hash(own)) - 0.5f), 0.0f, 1.0f);
+        const float tone =
+            std::clamp(0.45f + 0.5f * grain + 0.35f * stain + 0.4f * (unitOf(hash(own)) - 0.5f), 0.0f, 1.0f);
         texel.colour = glm::mix(rgb(0x53432f), rgb(0xa18a68), tone);
         texel.colour = glm::mix(texel.colour, rgb(0x8c877c), 0.35f * smooth(-0.2f, 0.5f, stain)); // weathered grey
         texel.colour *= (1 - 0.45f * eye) * (1 - 0.85f * gap);
@@ -100,10 +104,17 @@ Canvas paintThatch(std::uint32_t seed)
             const float length = kSide / kCourses * random.range(0.75f, 1.28f);
             const glm::vec2 to = from + glm::vec2{random.bell() * 14, length};
             const float age = fbm(from / 128.0f, seed + 1, {.period = {4, 4}});
-            glm::vec3 colour = glm::mix(rgb(0x6d5a34), rgb(0xc4aa6c), std::clamp(0.45f + 0.35f * random.bell() + 0.6f * age, 0.0f, 1.0f));
+            glm::vec3 colour = glm::mix(rgb(0x6d5a34), rgb(0xc4aa6c),
+                                        std::clamp(0.45f + 0.35f * random.bell() + 0.6f * age, 0.0f, 1.0f));
             if (random.chance(0.12f)) colour = glm::mix(colour, rgb(0x6b685c), 0.7f);
-            paint(canvas, Stroke{.from = from, .to = to, .widthFrom = random.range(2, 3.4f), .widthTo = 1.6f,
-                                 .colourFrom = colour * 0.55f, .colourTo = colour, .height = 0.8f, .tiles = true});
+            paint(canvas, Stroke{.from = from,
+                                 .to = to,
+                                 .widthFrom = random.range(2, 3.4f),
+                                 .widthTo = 1.6f,
+                                 .colourFrom = colour * 0.55f,
+                                 .colourTo = colour,
+                                 .height = 0.8f,
+                                 .tiles = true});
         }
     canvas.each([&](Texel& texel, glm::vec2 p) {
         const float fall = p.y * kCourses - std::floor(p.y * kCourses);
@@ -120,7 +131,8 @@ Canvas paintCloth(std::uint32_t seed)
         const float stain = fbm(p * 3.0f, seed, {.count = 5, .gain = 0.55f, .period = {3, 3}});
         const float weave = std::sin(p.x * kSide * 0.785f) * std::sin(p.y * kSide * 0.785f);
         const float crease = fbm(p * glm::vec2{5, 5}, seed + 1, {.count = 4, .period = {5, 5}});
-        texel.colour = glm::mix(rgb(0x8a7a58), rgb(0xcfc2a0), std::clamp(0.55f + 0.45f * stain + 0.06f * weave, 0.0f, 1.0f));
+        texel.colour =
+            glm::mix(rgb(0x8a7a58), rgb(0xcfc2a0), std::clamp(0.55f + 0.45f * stain + 0.06f * weave, 0.0f, 1.0f));
         texel.colour = glm::mix(texel.colour, rgb(0x6d6244), smooth(0.6f, 1.0f, p.y + 0.2f * stain) * 0.55f);
         texel.height = 0.35f * weave + 6 * crease;
     });
@@ -158,10 +170,12 @@ Canvas paintCharred(std::uint32_t seed)
 {
     Canvas canvas{kSide / 2, {}};
     canvas.each([&](Texel& texel, glm::vec2 p) {
-        const Cells block = cells(p * glm::vec2{8, 6} + 0.3f * fbm(p * 8.0f, seed, {.period = {8, 8}}), seed + 1, {8, 6});
+        const Cells block =
+            cells(p * glm::vec2{8, 6} + 0.3f * fbm(p * 8.0f, seed, {.period = {8, 8}}), seed + 1, {8, 6});
         const float gap = smooth(0.14f, 0.02f, block.second - block.nearest);
         const float fine = fbm(p * 32.0f, seed + 2, {.count = 3, .period = {32, 32}});
-        texel.colour = glm::mix(rgb(0x1d1a18), rgb(0x474240), std::clamp(0.35f + 0.6f * fine + 0.4f * (unitOf(block.id) - 0.5f), 0.0f, 1.0f));
+        texel.colour = glm::mix(rgb(0x1d1a18), rgb(0x474240),
+                                std::clamp(0.35f + 0.6f * fine + 0.4f * (unitOf(block.id) - 0.5f), 0.0f, 1.0f));
         texel.colour = glm::mix(texel.colour, rgb(0x8a857e), gap * 0.5f);
         texel.height = 4 - 5 * gap + fine;
     });

@@ -38,7 +38,8 @@ void giveTangents(Triangle& t)
     for (io::Vertex& corner : t.corners) {
         glm::vec3 tangent = right - corner.normal * glm::dot(corner.normal, right);
         if (glm::dot(tangent, tangent) < 1e-12f)
-            tangent = glm::cross(corner.normal, glm::abs(corner.normal.x) < 0.9f ? glm::vec3{1, 0, 0} : glm::vec3{0, 1, 0});
+            tangent =
+                glm::cross(corner.normal, glm::abs(corner.normal.x) < 0.9f ? glm::vec3{1, 0, 0} : glm::vec3{0, 1, 0});
         tangent = glm::normalize(tangent);
         corner.tangent = {tangent, glm::dot(glm::cross(corner.normal, tangent), up) < 0 ? -1.0f : 1.0f};
     }
@@ -67,8 +68,11 @@ int imageIndex(io::Model& model, const Picture& picture)
 io::Material materialOf(const Surface& surface, io::Model& model, Textures& textures)
 {
     const Texture& texture = textures.get(surface.texture);
-    io::Material material{.name = surface.texture, .baseColour = {surface.tint, 1}, .metallic = surface.metallic,
-                          .roughness = surface.roughness, .emissive = surface.emissive};
+    io::Material material{.name = surface.texture,
+                          .baseColour = {surface.tint, 1},
+                          .metallic = surface.metallic,
+                          .roughness = surface.roughness,
+                          .emissive = surface.emissive};
     material.baseColourTexture.image = imageIndex(model, texture.colour);
     material.normalTexture.image = imageIndex(model, texture.normal);
     material.doubleSided = surface.twoSided;
@@ -138,7 +142,9 @@ void projectTexture(Mesh& mesh, float metres, int onlySurface)
         const glm::vec3 n = glm::abs(areaNormal(t));
         for (io::Vertex& corner : t.corners) {
             const glm::vec3 p = corner.position / metres;
-            corner.uv0 = n.y > n.x && n.y > n.z ? glm::vec2{p.x, p.z} : n.x > n.z ? glm::vec2{p.z, -p.y} : glm::vec2{p.x, -p.y};
+            corner.uv0 = n.y > n.x && n.y > n.z ? glm::vec2{p.x, p.z}
+                         : n.x > n.z            ? glm::vec2{p.z, -p.y}
+                                                : glm::vec2{p.x, -p.y};
         }
     }
 }
@@ -155,8 +161,10 @@ io::Model modelOf(const Mesh& mesh, std::string name, Textures& textures)
             giveTangents(t);
             for (const io::Vertex& corner : t.corners) {
                 const auto [at, isNew] = known.emplace(keyOf(corner), std::uint32_t(model.vertices.size()));
-                if (isNew) model.vertices.push_back(corner);
-                else model.vertices[at->second].tangent += glm::vec4{glm::vec3{corner.tangent}, 0};
+                if (isNew)
+                    model.vertices.push_back(corner);
+                else
+                    model.vertices[at->second].tangent += glm::vec4{glm::vec3{corner.tangent}, 0};
                 model.indices.push_back(at->second);
                 model.bounds.add(corner.position);
             }
@@ -169,7 +177,8 @@ io::Model modelOf(const Mesh& mesh, std::string name, Textures& textures)
     for (io::Vertex& vertex : model.vertices) {
         const glm::vec3 sum{vertex.tangent};
         const glm::vec3 flat = sum - vertex.normal * glm::dot(vertex.normal, sum);
-        vertex.tangent = {glm::dot(flat, flat) > 1e-12f ? glm::normalize(flat) : glm::normalize(glm::cross(vertex.normal, {0.3f, 0.8f, 0.5f})),
+        vertex.tangent = {glm::dot(flat, flat) > 1e-12f ? glm::normalize(flat)
+                                                        : glm::normalize(glm::cross(vertex.normal, {0.3f, 0.8f, 0.5f})),
                           vertex.tangent.w};
     }
     EXPECTS(!model.parts.empty());

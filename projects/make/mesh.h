@@ -19,11 +19,11 @@ struct Triangle {
 // What a mesh is made of, by the name of its textures.
 struct Surface {
     std::string texture;
-    glm::vec3 tint{1};        // linear, multiplies the texture
+    glm::vec3 tint{1}; // linear, multiplies the texture
     float roughness = 0.9f;
     float metallic = 0;
-    bool leaves = false;      // alpha mask, both sides
-    bool twoSided = false;    // cloth
+    bool leaves = false;   // alpha mask, both sides
+    bool twoSided = false; // cloth
     glm::vec3 emissive{0};
 };
 

@@ -37,9 +37,7 @@ float noise(glm::vec2 p, std::uint32_t seed, glm::ivec2 period)
     const glm::ivec2 cell{base};
     const glm::vec2 f = p - base;
     const glm::vec2 w{quintic(f.x), quintic(f.y)};
-    const auto corner = [&](int x, int y) {
-        return slope(cell + glm::ivec2{x, y}, f - glm::vec2{x, y}, seed, period);
-    };
+    const auto corner = [&](int x, int y) { return slope(cell + glm::ivec2{x, y}, f - glm::vec2{x, y}, seed, period); };
     return 1.5f * glm::mix(glm::mix(corner(0, 0), corner(1, 0), w.x), glm::mix(corner(0, 1), corner(1, 1), w.x), w.y);
 }
 
@@ -87,7 +85,8 @@ float ridged(glm::vec2 p, std::uint32_t seed, Octaves octaves)
 {
     float sum = 0, weight = 1, total = 0, carry = 1;
     for (int i = 0; i < octaves.count; ++i) {
-        const float crest = 1 - glm::min(1.0f, glm::abs(noise(p, seed + std::uint32_t(i) * 101u, octaves.period << glm::ivec2{i})));
+        const float crest =
+            1 - glm::min(1.0f, glm::abs(noise(p, seed + std::uint32_t(i) * 101u, octaves.period << glm::ivec2{i})));
         const float signal = crest * crest * carry;
         carry = glm::clamp(signal * 1.6f, 0.0f, 1.0f); // detail gathers on the crests
         sum += weight * signal;

@@ -6,13 +6,14 @@
 
 namespace make {
 
-float noise(glm::vec2 p, std::uint32_t seed, glm::ivec2 period = glm::ivec2{0}); // gradient noise (Perlin 2002), about -1..1
+float noise(glm::vec2 p, std::uint32_t seed,
+            glm::ivec2 period = glm::ivec2{0}); // gradient noise (Perlin 2002), about -1..1
 float noise(glm::vec3 p, std::uint32_t seed);
 
 struct Octaves {
     int count = 5;
-    float gain = 0.5f;      // amplitude of each octave against the one before
-    glm::ivec2 period{0};         // of the first octave
+    float gain = 0.5f;    // amplitude of each octave against the one before
+    glm::ivec2 period{0}; // of the first octave
 };
 float fbm(glm::vec2 p, std::uint32_t seed, Octaves octaves = {});
 float fbm(glm::vec3 p, std::uint32_t seed, Octaves octaves = {});

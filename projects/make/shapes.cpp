@@ -34,11 +34,13 @@ float radiusAt(const Ring& ring, const TubeLook& look, int side, std::size_t ind
 {
     const float angle = float(side) / float(look.sides);
     const float lobe = 0.5f + 0.5f * std::cos(kTurn * (angle * float(look.roots) + unitOf(look.seed)));
-    const float uneven = noise(glm::vec2{std::cos(angle * kTurn), std::sin(angle * kTurn)} * 1.3f + float(index) * 0.37f, look.seed);
+    const float uneven =
+        noise(glm::vec2{std::cos(angle * kTurn), std::sin(angle * kTurn)} * 1.3f + float(index) * 0.37f, look.seed);
     return ring.radius * (1 + ring.flare * lobe) * (1 + look.wobble * uneven);
 }
 
-std::vector<io::Vertex> ringVertices(const Ring& ring, const Frame& frame, const TubeLook& look, std::size_t index, float v)
+std::vector<io::Vertex> ringVertices(const Ring& ring, const Frame& frame, const TubeLook& look, std::size_t index,
+                                     float v)
 {
     std::vector<io::Vertex> vertices;
     for (int side = 0; side <= look.sides; ++side) {
@@ -74,7 +76,8 @@ void addTube(Mesh& mesh, std::span<const Ring> rings, const TubeLook& look)
     }
     for (std::size_t i = 0; i + 1 < loops.size(); ++i)
         for (std::size_t side = 0; side < std::size_t(look.sides); ++side) {
-            const io::Vertex &a = loops[i][side], &b = loops[i][side + 1], &c = loops[i + 1][side + 1], &d = loops[i + 1][side];
+            const io::Vertex &a = loops[i][side], &b = loops[i][side + 1], &c = loops[i + 1][side + 1],
+                             &d = loops[i + 1][side];
             if (look.pointed && i + 2 == loops.size()) {
                 io::Vertex tip = d;
                 tip.position = rings.back().centre;
@@ -107,8 +110,8 @@ void addCap(Mesh& mesh, std::span<const glm::vec3> rim, int surface, float uvRad
     };
     for (std::size_t i = 0; i < rim.size(); ++i) {
         Triangle t{{centre, corner(i + 1), corner(i)}, surface};
-        const glm::vec3 normal = glm::cross(t.corners[1].position - t.corners[0].position,
-                                            t.corners[2].position - t.corners[0].position);
+        const glm::vec3 normal =
+            glm::cross(t.corners[1].position - t.corners[0].position, t.corners[2].position - t.corners[0].position);
         for (io::Vertex& v : t.corners)
             v.normal = glm::dot(normal, normal) > 0 ? glm::normalize(normal) : glm::vec3{0, 1, 0};
         mesh.add(t);
@@ -127,8 +130,10 @@ void addBeam(Mesh& mesh, const Beam& beam)
     const auto face = [&](glm::vec3 centre, glm::vec3 across, glm::vec3 lengthwise, glm::vec2 uvLow, glm::vec2 uvHigh) {
         const glm::vec3 normal = glm::normalize(glm::cross(across, lengthwise));
         const auto corner = [&](float sx, float sy) {
-            return io::Vertex{.position = centre + across * sx + lengthwise * sy, .normal = normal,
-                              .uv0 = {sx < 0 ? uvLow.x : uvHigh.x, sy < 0 ? uvLow.y : uvHigh.y}, .colour = shade(beam.light)};
+            return io::Vertex{.position = centre + across * sx + lengthwise * sy,
+                              .normal = normal,
+                              .uv0 = {sx < 0 ? uvLow.x : uvHigh.x, sy < 0 ? uvLow.y : uvHigh.y},
+                              .colour = shade(beam.light)};
         };
         mesh.addQuad({corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)}, beam.surface);
     };
@@ -145,7 +150,9 @@ std::array<io::Vertex, 4> cornersOf(const Card& card)
     const glm::vec3 normal = glm::normalize(glm::cross(card.right, card.up));
     const float left = card.mirrored ? 1.0f : 0.0f;
     const auto corner = [&](float x, float y, float lift, float u) {
-        return io::Vertex{.position = card.base + card.right * x + card.up * y + card.bend * lift, .normal = normal, .uv0 = {u, 1 - y}};
+        return io::Vertex{.position = card.base + card.right * x + card.up * y + card.bend * lift,
+                          .normal = normal,
+                          .uv0 = {u, 1 - y}};
     };
     return {corner(-1, 0, 1, left), corner(1, 0, -1, 1 - left), corner(1, 1, 1, 1 - left), corner(-1, 1, -1, left)};
 }

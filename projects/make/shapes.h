@@ -12,9 +12,9 @@ glm::u8vec4 shade(float light, glm::vec3 tint = glm::vec3{1}); // a vertex colou
 
 struct Ring {
     glm::vec3 centre{0};
-    float radius = 0.1f;  // m
-    float light = 1;      // how much of the sky reaches it
-    float flare = 0;      // how far roots stand out of it, as a share of the radius
+    float radius = 0.1f; // m
+    float light = 1;     // how much of the sky reaches it
+    float flare = 0;     // how far roots stand out of it, as a share of the radius
 };
 
 struct TubeLook {
@@ -25,8 +25,8 @@ struct TubeLook {
     bool pointed = false; // the last ring is a point
     float flatten = 1;    // of the second cross axis
     std::uint32_t seed = 1;
-    float wobble = 0;     // unevenness of the radius, share
-    int roots = 5;        // lobes of the flare
+    float wobble = 0; // unevenness of the radius, share
+    int roots = 5;    // lobes of the flare
 };
 void addTube(Mesh& mesh, std::span<const Ring> rings, const TubeLook& look);
 
@@ -59,7 +59,7 @@ std::array<io::Vertex, 4> cornersOf(const Card& card);
 struct Stone {
     std::uint64_t seed = 1;
     std::size_t triangles = 120;
-    glm::vec3 size{1};       // m, along x, y, z
+    glm::vec3 size{1}; // m, along x, y, z
     int cuts = 14;
     float roughness = 0.07f; // share of the size
     float sharpness = 42;    // degrees between faces beyond which an edge is sharp

@@ -39,7 +39,8 @@ io::Image shrunk(const io::Image& image, int side)
             for (int x = 0; x < int(half.rowBytes()); ++x) {
                 const int c = x % half.channels, column = (x / half.channels) * 2 * half.channels + c;
                 const auto *above = small.row<std::uint8_t>(2 * y), *below = small.row<std::uint8_t>(2 * y + 1);
-                const int sum = above[column] + above[column + half.channels] + below[column] + below[column + half.channels];
+                const int sum =
+                    above[column] + above[column + half.channels] + below[column] + below[column + half.channels];
                 half.row<std::uint8_t>(y)[x] = std::uint8_t((sum + 2) / 4);
             }
         small = std::move(half);
@@ -57,7 +58,10 @@ float groundAt(const Stage& stage, glm::vec3 p)
 Stage::Stage(fs::path folder, std::string name, io::HeightMap heights, Textures& textures)
     : m_heights{std::move(heights)}, m_textures{textures}
 {
-    m_world.project = {.folder = std::move(folder), .name = std::move(name), .scenes = {{.name = "main", .file = "scenes/main.scene.json"}}, .start = "main"};
+    m_world.project = {.folder = std::move(folder),
+                       .name = std::move(name),
+                       .scenes = {{.name = "main", .file = "scenes/main.scene.json"}},
+                       .start = "main"};
     m_world.entry = m_world.project.scenes.front();
     m_world.environmentFile = "environments/main.json";
 }
@@ -80,7 +84,11 @@ void Stage::addModels(std::span<const Entry> entries)
 
 void Stage::addMarker(const std::string& name, glm::vec3 size, bool casts)
 {
-    m_world.scene.exchange(m_world.scene.templateSlot(name), io::Template{.name = name, .category = "Markers", .markerSize = size, .collision = io::Collision::None, .castShadow = casts});
+    m_world.scene.exchange(m_world.scene.templateSlot(name), io::Template{.name = name,
+                                                                          .category = "Markers",
+                                                                          .markerSize = size,
+                                                                          .collision = io::Collision::None,
+                                                                          .castShadow = casts});
     m_depths[name] = 0;
     m_world.project.templates.push_back(name);
 }
@@ -111,7 +119,8 @@ io::Transform Stage::placed(const Put& put, const io::Template& what, Random& ra
     result.scale = glm::vec3{float(rounded(scale, 0.01))};
     const double depth = double(m_depths.find(put.what)->second) * result.scale.y;
     const glm::dvec3 ground{put.at.x, heightAt(m_heights, put.at) + put.lift, put.at.y};
-    const glm::dvec3 position = ground - io::orientation(result.rotation) * glm::dvec3{0, depth, 0} - up * double(what.sink);
+    const glm::dvec3 position =
+        ground - io::orientation(result.rotation) * glm::dvec3{0, depth, 0} - up * double(what.sink);
     for (int axis = 0; axis < 3; ++axis)
         result.position[axis] = rounded(position[axis], 0.001);
     return result;
@@ -123,7 +132,11 @@ io::ObjectId Stage::put(const Put& put, Random& random)
     const io::Template* what = m_world.scene.find(id);
     EXPECTS(what != nullptr);
     const io::ObjectId fresh = m_world.scene.freshId();
-    m_world.scene.exchange(fresh, io::Object{.id = fresh, .templateId = id, .transform = placed(put, *what, random), .parent = put.parent, .name = put.name});
+    m_world.scene.exchange(fresh, io::Object{.id = fresh,
+                                             .templateId = id,
+                                             .transform = placed(put, *what, random),
+                                             .parent = put.parent,
+                                             .name = put.name});
     return fresh;
 }
 
@@ -165,16 +178,24 @@ io::Status Stage::addGround(std::vector<io::TerrainLayer> layers, int side, doub
     std::error_code error;
     fs::create_directories(folder / "terrain", error);
     fs::create_directories(folder / "textures", error);
-    io::Terrain terrain{.heightMap = "terrain/heights.png", .metresPerTexel = m_heights.metresPerTexel, .origin = m_heights.origin,
-                        .minHeight = minHeight, .maxHeight = maxHeight};
-    if (io::Status written = io::writeHeightMap16(folder / terrain.heightMap, m_heights, minHeight, maxHeight); !written) return written;
+    io::Terrain terrain{.heightMap = "terrain/heights.png",
+                        .metresPerTexel = m_heights.metresPerTexel,
+                        .origin = m_heights.origin,
+                        .minHeight = minHeight,
+                        .maxHeight = maxHeight};
+    if (io::Status written = io::writeHeightMap16(folder / terrain.heightMap, m_heights, minHeight, maxHeight);
+        !written)
+        return written;
     for (io::TerrainLayer& layer : layers) {
         const Texture& texture = m_textures.get(layer.texture);
         const std::string stem = "textures/" + layer.texture;
         layer.texture = stem + ".jpg";
         layer.normalTexture = stem + "_normal.jpg";
-        if (io::Status written = io::writeImage(folder / layer.texture, shrunk(*texture.colour, side), 85); !written) return written;
-        if (io::Status written = io::writeImage(folder / layer.normalTexture, shrunk(*texture.normal, side), 80); !written) return written;
+        if (io::Status written = io::writeImage(folder / layer.texture, shrunk(*texture.colour, side), 85); !written)
+            return written;
+        if (io::Status written = io::writeImage(folder / layer.normalTexture, shrunk(*texture.normal, side), 80);
+            !written)
+            return written;
     }
     terrain.layers = std::move(layers);
     m_world.scene.exchange(std::move(terrain));
@@ -214,7 +235,11 @@ io::PathKey keyAt(const Stage& stage, double time, glm::vec3 eye, glm::vec3 targ
     const glm::vec3 d = target - eye;
     const float yaw = glm::degrees(std::atan2(-d.x, -d.z));
     const float pitch = glm::degrees(std::atan2(d.y, glm::length(glm::vec2{d.x, d.z})));
-    return {.time = time, .eye = {rounded(eye.x, 0.01), rounded(eye.y, 0.01), rounded(eye.z, 0.01)}, .yaw = float(rounded(yaw, 0.1)), .pitch = float(rounded(pitch, 0.1)), .fov = fov};
+    return {.time = time,
+            .eye = {rounded(eye.x, 0.01), rounded(eye.y, 0.01), rounded(eye.z, 0.01)},
+            .yaw = float(rounded(yaw, 0.1)),
+            .pitch = float(rounded(pitch, 0.1)),
+            .fov = fov};
 }
 
 } // namespace make

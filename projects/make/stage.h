@@ -14,12 +14,12 @@
 namespace make {
 
 struct Put {
-    std::string_view what;       // a template
-    glm::vec2 at{0};             // world x and z
-    std::optional<float> yaw;    // degrees; drawn from the template's range when not given
-    std::optional<float> scale;  // likewise
+    std::string_view what;      // a template
+    glm::vec2 at{0};            // world x and z
+    std::optional<float> yaw;   // degrees; drawn from the template's range when not given
+    std::optional<float> scale; // likewise
     std::string name;
-    float lift = 0;              // m above where it would stand
+    float lift = 0; // m above where it would stand
     io::ObjectId parent = io::ObjectId::None;
 };
 
@@ -53,7 +53,7 @@ private:
     io::World m_world;
     io::HeightMap m_heights;
     Textures& m_textures;
-    std::map<std::string, std::string> m_models; // file inside the project, its bytes
+    std::map<std::string, std::string> m_models;        // file inside the project, its bytes
     std::map<std::string, float, std::less<>> m_depths; // how far a template's model reaches below its origin, m
     std::map<std::pair<int, int>, std::vector<glm::vec3>> m_taken; // x, z, radius by square of 8 m
 };

@@ -10,11 +10,11 @@ namespace {
 Mesh icosahedron(const Surface& surface)
 {
     const float g = 1.618034f;
-    const glm::vec3 p[12] = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                             {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-    const int faces[20][3] = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                              {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                              {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+    const glm::vec3 p[12] = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                             {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+    const int faces[20][3] = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                              {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                              {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
     Mesh mesh;
     const int number = mesh.surface(surface);
     for (const auto& face : faces) {
@@ -71,7 +71,8 @@ Mesh makeStone(const Stone& stone)
     refineTo(mesh, stone.triangles, toSurface);
     for (Triangle& t : mesh.triangles())
         for (io::Vertex& corner : t.corners) {
-            corner.colour = shade(glm::mix(0.55f, 1.0f, glm::smoothstep(-0.7f, 0.3f, corner.position.y))); // dark near the ground
+            corner.colour =
+                shade(glm::mix(0.55f, 1.0f, glm::smoothstep(-0.7f, 0.3f, corner.position.y))); // dark near the ground
             corner.position *= stone.size * 0.5f;
         }
     smoothNormals(mesh, stone.sharpness);

@@ -54,11 +54,13 @@ io::HeightMap doubled(const io::HeightMap& map)
         for (int x = 0; x < side; ++x) {
             const int half = x / 2;
             out(x, 2 * z) = x % 2 == 0 ? map.at(half, z)
-                                       : cubic(clampedAt(map, half - 1, z), map.at(half, z), clampedAt(map, half + 1, z), clampedAt(map, half + 2, z));
+                                       : cubic(clampedAt(map, half - 1, z), map.at(half, z),
+                                               clampedAt(map, half + 1, z), clampedAt(map, half + 2, z));
         }
     for (int z = 1; z < side; z += 2)
         for (int x = 0; x < side; ++x)
-            out(x, z) = cubic(out(x, std::max(0, z - 3)), out(x, z - 1), out(x, z + 1), out(x, std::min(side - 1, z + 3)));
+            out(x, z) =
+                cubic(out(x, std::max(0, z - 3)), out(x, z - 1), out(x, z + 1), out(x, std::min(side - 1, z + 3)));
     return fine;
 }
 
@@ -126,7 +128,8 @@ private:
     {
         const int x = int(p.x), z = int(p.y);
         const float u = p.x - float(x), v = p.y - float(z);
-        const float h00 = m_map.at(x, z), h10 = m_map.at(x + 1, z), h01 = m_map.at(x, z + 1), h11 = m_map.at(x + 1, z + 1);
+        const float h00 = m_map.at(x, z), h10 = m_map.at(x + 1, z), h01 = m_map.at(x, z + 1),
+                    h11 = m_map.at(x + 1, z + 1);
         return {h00 * (1 - u) * (1 - v) + h10 * u * (1 - v) + h01 * (1 - u) * v + h11 * u * v,
                 {(h10 - h00) * (1 - v) + (h11 - h01) * v, (h01 - h00) * (1 - u) + (h11 - h10) * u}};
     }
@@ -172,7 +175,8 @@ void settle(io::HeightMap& map, float degrees, int passes)
         for (int z = 1; z + 1 < side; ++z)
             for (int x = 1; x + 1 < side; ++x) {
                 float* h = &map.metres[std::size_t(z) * side + x];
-                for (const std::ptrdiff_t offset : {std::ptrdiff_t(1), std::ptrdiff_t(-1), std::ptrdiff_t(side), -std::ptrdiff_t(side)}) {
+                for (const std::ptrdiff_t offset :
+                     {std::ptrdiff_t(1), std::ptrdiff_t(-1), std::ptrdiff_t(side), -std::ptrdiff_t(side)}) {
                     const float over = h[0] - h[offset] - most;
                     if (over <= 0) continue;
                     h[0] -= over * 0.22f;

@@ -22,9 +22,9 @@ io::HeightMap doubled(const io::HeightMap& map);
 // (Beyer 2015, "Implementation of a method for hydraulic erosion").
 struct Rain {
     int drops = 100000;
-    int steps = 40;       // a drop's life, texels
-    int brush = 3;        // radius of the soil taken at once, texels
-    float strength = 1;   // of taking and leaving
+    int steps = 40;     // a drop's life, texels
+    int brush = 3;      // radius of the soil taken at once, texels
+    float strength = 1; // of taking and leaving
     std::uint64_t seed = 1;
 };
 void rainOn(io::HeightMap& map, const Rain& rain);
@@ -34,7 +34,7 @@ void settle(io::HeightMap& map, float degrees, int passes);
 
 void finish(io::HeightMap& map); // min and max
 
-float slopeAt(const io::HeightMap& map, glm::vec2 place);   // degrees
-float heightAt(const io::HeightMap& map, glm::vec2 place);  // m, clamped to the field
+float slopeAt(const io::HeightMap& map, glm::vec2 place);  // degrees
+float heightAt(const io::HeightMap& map, glm::vec2 place); // m, clamped to the field
 
 } // namespace make

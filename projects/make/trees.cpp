@@ -34,8 +34,12 @@ public:
     Skeleton grow()
     {
         Skeleton tree;
-        tree.trunk = growTrunk({.height = m_shape.height * 0.94f, .radius = m_shape.trunkRadius, .rings = m_shape.trunkRings,
-                                .gnarl = m_shape.gnarl * 0.35f, .lean = m_shape.lean}, m_random);
+        tree.trunk = growTrunk({.height = m_shape.height * 0.94f,
+                                .radius = m_shape.trunkRadius,
+                                .rings = m_shape.trunkRings,
+                                .gnarl = m_shape.gnarl * 0.35f,
+                                .lean = m_shape.lean},
+                               m_random);
         for (int i = 0; i < m_shape.branches; ++i)
             addBranch(tree, i);
         addClump(tree, tree.trunk.rings.back().centre, 0.9f);
@@ -54,13 +58,22 @@ private:
         const float azimuth = float(i) * 2.39996f + m_random.bell() * 0.5f; // the golden angle keeps neighbours apart
         const Ring start = ringAt(tree.trunk, share);
         // Where the branch ends the crown is higher than where it starts.
-        const float reach = m_shape.crownRadius * envelope(std::min(1.0f, s + 0.10f), m_shape.widest) * m_random.range(0.80f, 1.02f);
+        const float reach =
+            m_shape.crownRadius * envelope(std::min(1.0f, s + 0.10f), m_shape.widest) * m_random.range(0.80f, 1.02f);
         const float length = std::max(0.12f * m_shape.height, reach / std::max(0.35f, std::sin(angle)) * 0.82f);
-        const glm::vec3 direction{std::sin(angle) * std::cos(azimuth), std::cos(angle), std::sin(angle) * std::sin(azimuth)};
+        const glm::vec3 direction{std::sin(angle) * std::cos(azimuth), std::cos(angle),
+                                  std::sin(angle) * std::sin(azimuth)};
         const float thick = std::min(start.radius * 0.66f, 0.012f * m_shape.height * 0.5f + length * 0.021f);
-        Limb branch = growLimb({.from = start.centre, .direction = direction, .length = length, .radius = thick,
-                                .tipRadius = thick * 0.25f, .rings = m_shape.branchRings, .upturn = m_shape.upturn,
-                                .gnarl = m_shape.gnarl, .droop = m_shape.droop}, m_random);
+        Limb branch = growLimb({.from = start.centre,
+                                .direction = direction,
+                                .length = length,
+                                .radius = thick,
+                                .tipRadius = thick * 0.25f,
+                                .rings = m_shape.branchRings,
+                                .upturn = m_shape.upturn,
+                                .gnarl = m_shape.gnarl,
+                                .droop = m_shape.droop},
+                               m_random);
         addClump(tree, branch.rings.back().centre, 1);
         for (int k = 0; k < m_shape.twigs; ++k)
             addTwig(tree, branch, length, k);
@@ -74,12 +87,20 @@ private:
         const glm::vec3 ahead = directionAt(branch, share);
         const glm::vec3 side = glm::normalize(glm::cross(ahead, glm::vec3{0, 1, 0}) + glm::vec3{1e-3f, 0, 0});
         const float hand = k % 2 == 0 ? 1.0f : -1.0f;
-        const glm::vec3 direction = glm::normalize(ahead * 0.8f + side * hand * m_random.range(0.5f, 1.0f) +
-                                                   glm::vec3{0, m_random.range(-0.25f, 0.55f) - m_shape.droop * 0.3f, 0});
+        const glm::vec3 direction =
+            glm::normalize(ahead * 0.8f + side * hand * m_random.range(0.5f, 1.0f) +
+                           glm::vec3{0, m_random.range(-0.25f, 0.55f) - m_shape.droop * 0.3f, 0});
         const float length = parentLength * m_random.range(0.34f, 0.52f) * (1.25f - share * 0.5f);
-        Limb twig = growLimb({.from = start.centre, .direction = direction, .length = length, .radius = start.radius * 0.62f,
-                              .tipRadius = 0.004f, .rings = 3, .upturn = m_shape.upturn, .gnarl = m_shape.gnarl,
-                              .droop = m_shape.droop * 1.4f}, m_random);
+        Limb twig = growLimb({.from = start.centre,
+                              .direction = direction,
+                              .length = length,
+                              .radius = start.radius * 0.62f,
+                              .tipRadius = 0.004f,
+                              .rings = 3,
+                              .upturn = m_shape.upturn,
+                              .gnarl = m_shape.gnarl,
+                              .droop = m_shape.droop * 1.4f},
+                             m_random);
         addClump(tree, twig.rings.back().centre, 0.88f);
         tree.twigs.push_back(std::move(twig));
     }
@@ -100,7 +121,8 @@ private:
             const float radius = m_shape.crownRadius * envelope(s, m_shape.widest) * m_random.range(0.35f, 0.72f);
             const float y = m_shape.height * glm::mix(m_shape.crownBase + 0.06f, 0.95f, s);
             const Ring axis = ringAt(tree.trunk, y / m_shape.height);
-            const glm::vec3 at{axis.centre.x + std::cos(azimuth) * radius, y, axis.centre.z + std::sin(azimuth) * radius};
+            const glm::vec3 at{axis.centre.x + std::cos(azimuth) * radius, y,
+                               axis.centre.z + std::sin(azimuth) * radius};
             float nearest = 1e9f;
             for (const Clump& clump : tree.clumps)
                 nearest = std::min(nearest, glm::length(clump.centre - at) - clump.radius * 0.4f);
@@ -150,28 +172,36 @@ struct Crown {
     float depth(glm::vec3 p) const { return glm::length((p - centre) / radii); } // 1 at the rim
 };
 
-void addLeafCard(Mesh& mesh, int surface, const TreeShape& shape, const Clump& clump, const Crown& crown, glm::vec3 towards, Random& random)
+void addLeafCard(Mesh& mesh, int surface, const TreeShape& shape, const Clump& clump, const Crown& crown,
+                 glm::vec3 towards, Random& random)
 {
-    const glm::vec3 at = clump.centre + towards * clump.radius * random.range(0.25f, 1.0f) * glm::vec3{1, 0.85f, 1};
+    const glm::vec3 at = clump.centre + towards * clump.radius * random.range(0.22f, 0.88f) * glm::vec3{1, 0.85f, 1};
     const glm::vec3 facing = glm::normalize(towards * 0.7f + random.direction() * 0.7f + glm::vec3{0, 0.15f, 0});
-    const glm::vec3 growth = crown.outward(at) * 0.8f + glm::vec3{0, 0.45f - shape.droop * 1.6f, 0} + random.direction() * 0.45f;
+    const glm::vec3 growth =
+        crown.outward(at) * 0.8f + glm::vec3{0, 0.45f - shape.droop * 1.6f, 0} + random.direction() * 0.45f;
     glm::vec3 up = growth - facing * glm::dot(growth, facing);
     if (glm::dot(up, up) < 1e-4f) up = glm::cross(facing, {0.4f, 0.1f, 0.9f});
     up = glm::normalize(up);
     const float size = shape.cardSize * random.range(0.72f, 1.2f);
-    const Card card{.base = at - up * (size * 0.5f), .up = up * size, .right = glm::cross(up, facing) * (size * 0.5f),
-                    .bend = facing * (size * random.range(-0.10f, 0.10f)), .mirrored = random.chance(0.5f)};
+    const Card card{.base = at - up * (size * 0.5f),
+                    .up = up * size,
+                    .right = glm::cross(up, facing) * (size * 0.5f),
+                    .bend = facing * (size * random.range(-0.10f, 0.10f)),
+                    .mirrored = random.chance(0.5f)};
     std::array<io::Vertex, 4> corners = cornersOf(card);
     const float tone = random.range(0.74f, 1.0f);
-    const glm::vec3 tint = glm::vec3{0.94f + 0.06f * random.signedUnit(), 0.96f, 0.90f + 0.10f * random.signedUnit()} * tone;
+    const glm::vec3 tint =
+        glm::vec3{0.94f + 0.06f * random.signedUnit(), 0.96f, 0.90f + 0.10f * random.signedUnit()} * tone;
     for (io::Vertex& corner : corners) {
         const glm::vec3 fromClump = glm::normalize(corner.position - clump.centre + glm::vec3{0, 1e-4f, 0});
-        corner.normal = glm::normalize(fromClump * 0.55f + crown.outward(corner.position) * 0.75f + glm::vec3{0, 0.12f, 0});
+        corner.normal =
+            glm::normalize(fromClump * 0.55f + crown.outward(corner.position) * 0.75f + glm::vec3{0, 0.12f, 0});
         const float depth = crown.depth(corner.position);
         const float below = glm::smoothstep(-1.0f, 0.5f, (corner.position.y - crown.centre.y) / crown.radii.y);
         const float inClump = glm::smoothstep(0.1f, 1.2f, glm::length(corner.position - clump.centre) / clump.radius);
-        corner.colour = shade(glm::mix(0.34f, 1.0f, glm::smoothstep(0.30f, 0.95f, depth)) * glm::mix(0.70f, 1.0f, below) *
-                              glm::mix(0.72f, 1.0f, inClump), tint);
+        corner.colour = shade(glm::mix(0.34f, 1.0f, glm::smoothstep(0.30f, 0.95f, depth)) *
+                                  glm::mix(0.70f, 1.0f, below) * glm::mix(0.72f, 1.0f, inClump),
+                              tint);
     }
     mesh.addQuad(corners, surface);
 }
@@ -180,7 +210,8 @@ void addLeafCard(Mesh& mesh, int surface, const TreeShape& shape, const Clump& c
 Mesh leavesOf(const TreeShape& shape, const std::vector<Clump>& clumps, int cards)
 {
     Mesh mesh;
-    const int surface = mesh.surface({.texture = shape.leaf, .tint = shape.leafTint, .roughness = 0.75f, .leaves = true});
+    const int surface =
+        mesh.surface({.texture = shape.leaf, .tint = shape.leafTint, .roughness = 0.75f, .leaves = true});
     Random random{shape.seed, 7};
     const Crown crown{clumps};
     for (int i = 0; i < cards; ++i) {
@@ -199,8 +230,13 @@ Mesh woodOf(const TreeShape& shape, const Skeleton& tree)
     Mesh mesh;
     const int surface = mesh.surface({.texture = shape.bark, .roughness = 0.92f});
     const float repeats = std::max(1.0f, std::round(shape.trunkRadius * 6.28f / 1.1f));
-    addTube(mesh, tree.trunk.rings, {.sides = shape.trunkSides, .surface = surface, .around = repeats, .metres = 1.6f,
-                                     .seed = std::uint32_t(shape.seed), .wobble = 0.10f});
+    addTube(mesh, tree.trunk.rings,
+            {.sides = shape.trunkSides,
+             .surface = surface,
+             .around = repeats,
+             .metres = 1.6f,
+             .seed = std::uint32_t(shape.seed),
+             .wobble = 0.10f});
     for (const Limb& branch : tree.branches)
         addTube(mesh, branch.rings, {.sides = shape.branchSides, .surface = surface, .metres = 1.2f, .seed = 3});
     for (const Limb& twig : tree.twigs)

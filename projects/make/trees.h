@@ -12,24 +12,24 @@ struct TreeShape {
     std::string leaf = "leaf_oak";
     glm::vec3 leafTint{1};
     std::uint64_t seed = 1;
-    float height = 14;          // m
-    float trunkRadius = 0.32f;  // m, at breast height
-    float crownBase = 0.28f;    // share of the height
-    float crownRadius = 4.6f;   // m, where it is widest
-    float widest = 0.4f;        // share of the crown's height
+    float height = 14;         // m
+    float trunkRadius = 0.32f; // m, at breast height
+    float crownBase = 0.28f;   // share of the height
+    float crownRadius = 4.6f;  // m, where it is widest
+    float widest = 0.4f;       // share of the crown's height
     int trunkSides = 8, trunkRings = 8;
     int branches = 11, branchSides = 4, branchRings = 4;
-    int twigs = 2;              // of each branch
+    int twigs = 2;                       // of each branch
     float angleLow = 72, angleHigh = 30; // degrees from the vertical, lowest and highest branch
-    float upturn = 0.5f;        // how much branches bend towards the sky
-    float gnarl = 0.22f;        // how crooked they are
-    float droop = 0;            // how much their ends hang
+    float upturn = 0.5f;                 // how much branches bend towards the sky
+    float gnarl = 0.22f;                 // how crooked they are
+    float droop = 0;                     // how much their ends hang
     float lean = 0.03f;
     int cards = 220;
-    float cardSize = 1.9f;      // m
-    float clumpSize = 0.36f;    // share of the crown's radius
-    int fill = 8;               // clumps that close gaps of the crown
-    std::size_t triangles = 0;  // exactly so many when not 0: cards and wood make up the rest
+    float cardSize = 1.9f;     // m
+    float clumpSize = 0.36f;   // share of the crown's radius
+    int fill = 8;              // clumps that close gaps of the crown
+    std::size_t triangles = 0; // exactly so many when not 0: cards and wood make up the rest
 };
 Mesh growTree(const TreeShape& shape);
 
@@ -62,7 +62,7 @@ struct StumpShape {
     std::uint64_t seed = 1;
     float height = 0.55f, radius = 0.36f; // m
     int sides = 14, rings = 5;
-    bool broken = false;                  // splintered instead of sawn
+    bool broken = false; // splintered instead of sawn
     std::string bark = "bark_oak";
     std::size_t triangles = 300;
 };

@@ -48,9 +48,9 @@ io::Environment morning()
     environment.time = 8.8f;
     environment.dayOfYear = 264;
     environment.latitude = 49;
-    environment.exposure = 3.5f;
+    environment.exposure = 3.6f;
     environment.sun.irradiance = {1.10f, 1.0f, 0.89f}; // a little warmer than the air alone makes it
-    environment.clouds.coverage = 0.42f;
+    environment.clouds.coverage = 0.46f;
     environment.fog.density = 0.00022f;
     environment.fog.height = 90;
     environment.fog.base = 26;

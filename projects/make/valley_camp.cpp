@@ -7,7 +7,7 @@
 namespace make {
 namespace {
 
-constexpr float kHutYaw = 52;       // its door looks at the fire
+constexpr float kHutYaw = 52; // its door looks at the fire
 
 struct Piece {
     std::string_view what;
@@ -41,7 +41,8 @@ void addFences(Stage& stage, io::ObjectId group, Random& random)
     const float turn = glm::radians(kHutYaw);
     const glm::vec2 right{std::cos(turn), -std::sin(turn)}, front{std::sin(turn), std::cos(turn)};
     const auto corner = [&](float x, float z) { return kCamp + kHut + right * x + front * z; };
-    const glm::vec2 line[] = {corner(-8, -1), corner(-8, 8.5f), corner(-1.2f, 8.5f), corner(1.3f, 8.5f), corner(6.5f, 8.5f), corner(8, 3), corner(8, -3)};
+    const glm::vec2 line[] = {corner(-8, -1),     corner(-8, 8.5f), corner(-1.2f, 8.5f), corner(1.3f, 8.5f),
+                              corner(6.5f, 8.5f), corner(8, 3),     corner(8, -3)};
     for (std::size_t i = 0; i + 1 < std::size(line); ++i) {
         if (i == 2) continue; // the way in
         const glm::vec2 along = line[i + 1] - line[i];
@@ -63,12 +64,20 @@ void setCamp(Stage& stage)
     const io::ObjectId camp = stage.addGroup("Camp", kCamp);
     for (const Piece& piece : kPieces) {
         const glm::vec2 at = kCamp + piece.offset;
-        stage.put({.what = piece.what, .at = at, .yaw = piece.yaw, .scale = piece.scale, .name = piece.name, .lift = piece.lift, .parent = camp}, random);
+        stage.put({.what = piece.what,
+                   .at = at,
+                   .yaw = piece.yaw,
+                   .scale = piece.scale,
+                   .name = piece.name,
+                   .lift = piece.lift,
+                   .parent = camp},
+                  random);
         stage.take(at, piece.radius);
     }
     addFences(stage, camp, random);
     stage.put({.what = "spawn_point", .at = kCamp + glm::vec2{12, 9}, .yaw = 120, .scale = 1, .name = "Start"}, random);
-    stage.put({.what = "point_of_interest", .at = {-330, -120}, .yaw = 0, .scale = 1, .name = "View over the valley"}, random);
+    stage.put({.what = "point_of_interest", .at = {-330, -120}, .yaw = 0, .scale = 1, .name = "View over the valley"},
+              random);
 }
 
 } // namespace make

@@ -28,7 +28,8 @@ float valleyX(float z)
 float valleyHalfWidth(glm::vec2 p)
 {
     const float east = smooth(-60, 60, p.x - valleyX(p.y));
-    const float plain = smooth(40, 560, p.y) * smooth(1080, 640, p.y) * glm::mix(70.0f, 470.0f, east); // the plain lies in the south-east
+    const float plain = smooth(40, 560, p.y) * smooth(1080, 640, p.y) *
+                        glm::mix(70.0f, 470.0f, east); // the plain lies in the south-east
     return 50 + 24 * noise(glm::vec2{p.y / 190, east * 7}, 5) + plain;
 }
 
@@ -54,7 +55,8 @@ float rawHeight(glm::vec2 p)
     const float fromMiddle = std::abs(p.x - valleyX(p.y));
     const float knolls = 6.5f * (0.25f + fbm(p / 150.0f, 25, {.count = 4})) * smooth(30, 130, fromMiddle);
     const glm::vec2 border = glm::abs(p + warp * 0.9f);
-    const float rim = (34 + 30 * spur) * smooth(760, 1060, std::max(border.x, border.y)); // hides the world's edge from below
+    const float rim =
+        (34 + 30 * spur) * smooth(760, 1060, std::max(border.x, border.y)); // hides the world's edge from below
     return 31.4f + fromMiddle * 0.012f + std::max(0.0f, knolls) + mountain + rim * smooth(40, 260, fromMiddle);
 }
 
@@ -120,7 +122,8 @@ io::HeightMap makeValleyLand()
     land = doubled(land);
     change(land, [](glm::vec2 p, float h) {
         const float rough = smooth(34, 90, h);
-        return h + rough * (5.5f * fbm(p / 36.0f, 61, {.count = 3}) + 3.0f * (ridged(p / 54.0f, 62, {.count = 3}) - 0.4f));
+        return h +
+               rough * (5.5f * fbm(p / 36.0f, 61, {.count = 3}) + 3.0f * (ridged(p / 54.0f, 62, {.count = 3}) - 0.4f));
     });
     rainOn(land, {.drops = 330000, .steps = 42, .seed = 52});
     settle(land, 54, 4);

@@ -5,12 +5,12 @@
 
 namespace make {
 
-constexpr float kValleyTop = 400;   // m, of the highest value in the file
+constexpr float kValleyTop = 400;    // m, of the highest value in the file
 constexpr glm::vec2 kCamp{-14, 100}; // the campfire, world x and z
-constexpr glm::vec2 kHut{-18, -15}; // from the campfire, m
+constexpr glm::vec2 kHut{-18, -15};  // from the campfire, m
 
-float streamX(float z);                    // the stream's middle
-float streamDistance(glm::vec2 p);         // m, to its middle
-io::HeightMap makeValleyLand();            // 2049 x 2049, 1 m
+float streamX(float z);            // the stream's middle
+float streamDistance(glm::vec2 p); // m, to its middle
+io::HeightMap makeValleyLand();    // 2049 x 2049, 1 m
 
 } // namespace make

@@ -10,7 +10,7 @@
 namespace make {
 namespace {
 
-constexpr int kTrees = 2650;
+constexpr int kTrees = 2600;
 
 float smooth(float low, float high, float x)
 {
@@ -87,11 +87,12 @@ void plantLandmarks(Stage& stage)
         glm::vec2 fromCamp;
         float scale;
     };
-    const Landmark landmarks[] = {{"oak_old", {-13, 13.5f}, 1.05f},  {"birch_autumn", {13.5f, -12}, 1.0f}, {"birch", {16.5f, -14.5f}, 0.9f},
-                                  {"beech_autumn", {-27, 4}, 1.0f},  {"oak_autumn", {-20, -27}, 1.0f},     {"fir_old", {-29, -19}, 1.0f},
-                                  {"fir", {-28, -12}, 1.1f},         {"birch_old", {-22, 22}, 1.0f},       {"oak_old", {150, 190}, 1.1f},
-                                  {"oak_old", {205, 330}, 1.15f},    {"oak_autumn", {118, 262}, 1.1f},     {"birch_autumn", {92, 60}, 1.05f},
-                                  {"birch", {96, 66}, 1.0f},         {"birch_old", {89, 68}, 0.95f}};
+    const Landmark landmarks[] = {
+        {"oak_old", {-13, 13.5f}, 1.05f}, {"birch_autumn", {13.5f, -12}, 1.0f}, {"birch", {16.5f, -14.5f}, 0.9f},
+        {"beech_autumn", {-27, 4}, 1.0f}, {"oak_autumn", {-20, -27}, 1.0f},     {"fir_old", {-29, -19}, 1.0f},
+        {"fir", {-28, -12}, 1.1f},        {"birch_old", {-22, 22}, 1.0f},       {"oak_old", {150, 190}, 1.1f},
+        {"oak_old", {205, 330}, 1.15f},   {"oak_autumn", {118, 262}, 1.1f},     {"birch_autumn", {92, 60}, 1.05f},
+        {"birch", {96, 66}, 1.0f},        {"birch_old", {89, 68}, 0.95f}};
     Random random{901};
     for (const Landmark& mark : landmarks) {
         const glm::vec2 at = kCamp + mark.fromCamp;
@@ -113,9 +114,11 @@ float forestAt(const Stage& stage, glm::vec2 p)
     const float plain = 0.75f * smooth(0.30f, 0.42f, groves); // groves on the plain
     const float treeline = 1 - smooth(150, 235, height + 35 * noise(p / 90.0f, 74));
     const float rooted = 1 - smooth(31, 40, slope);
-    const float clearing = smooth(19, 34, glm::length((p - kCamp - glm::vec2{-4, -4}) * glm::vec2{0.9f, 1}) + 6 * noise(p / 14.0f, 75));
+    const float clearing =
+        smooth(19, 34, glm::length((p - kCamp - glm::vec2{-4, -4}) * glm::vec2{0.9f, 1}) + 6 * noise(p / 14.0f, 75));
     const float banks = smooth(11, 24, streamDistance(p) + 4 * noise(p / 20.0f, 76));
-    return std::clamp(std::max(plain, onHills * smooth(-0.16f, 0.06f, patches)), 0.0f, 1.0f) * treeline * rooted * clearing * banks;
+    return std::clamp(std::max(plain, onHills * smooth(-0.16f, 0.06f, patches)), 0.0f, 1.0f) * treeline * rooted *
+           clearing * banks;
 }
 
 void plantForest(Stage& stage)
@@ -153,8 +156,7 @@ struct Scatter {
     std::uint64_t seed;
 };
 
-template <class Share>
-void scatter(Stage& stage, const Scatter& plan, Share share)
+template <class Share> void scatter(Stage& stage, const Scatter& plan, Share share)
 {
     Random random{plan.seed};
     int placed = 0;
@@ -162,7 +164,8 @@ void scatter(Stage& stage, const Scatter& plan, Share share)
         const float angle = random.range(0, 6.2831853f);
         const float away = plan.reach * std::sqrt(random.unit());
         const glm::vec2 at = plan.centre + away * glm::vec2{std::cos(angle), std::sin(angle)};
-        if (std::abs(at.x) > 1010 || std::abs(at.y) > 1010 || !random.chance(share(at)) || !stage.isFree(at, plan.room)) continue;
+        if (std::abs(at.x) > 1010 || std::abs(at.y) > 1010 || !random.chance(share(at)) || !stage.isFree(at, plan.room))
+            continue;
         stage.put({.what = plan.what, .at = at}, random);
         stage.take(at, plan.room);
         ++placed;
@@ -184,16 +187,27 @@ void plantUndergrowth(Stage& stage)
     const auto inside = [&](glm::vec2 p) { return smooth(0.35f, 0.8f, forestAt(stage, p)) * nearness(p); };
     const auto open = [&](glm::vec2 p) {
         const float meadow = (1 - smooth(0.1f, 0.4f, forestAt(stage, p))) * smooth(9, 12, streamDistance(p));
-        return meadow * smooth(4.5f, 9, glm::length(p - kCamp)) * (0.35f + 0.65f * smooth(-0.1f, 0.5f, noise(p / 7.0f, 91)));
+        return meadow * smooth(4.5f, 9, glm::length(p - kCamp)) *
+               (0.35f + 0.65f * smooth(-0.1f, 0.5f, noise(p / 7.0f, 91)));
     };
-    const auto bank = [&](glm::vec2 p) { return smooth(29.3f, 29.9f, altitude(stage, p)) * smooth(24, 14, streamDistance(p)); };
+    const auto bank = [&](glm::vec2 p) {
+        return smooth(29.3f, 29.9f, altitude(stage, p)) * smooth(24, 14, streamDistance(p));
+    };
 
+    const auto meadow = [&](glm::vec2 p) { // thickets on the open plain
+        return smooth(0.30f, 0.45f, noise(p / 38.0f, 92)) * (1 - smooth(0.1f, 0.4f, forestAt(stage, p))) *
+               smooth(14, 20, streamDistance(p)) * smooth(24, 34, glm::length(p - kCamp)) *
+               smooth(18, 8, slopeAt(stage.heights(), p));
+    };
+
+    scatter(stage, {"bush", 70, 1.0f, kCamp + glm::vec2{60, 120}, 300, 924}, meadow);
+    scatter(stage, {"bush_low", 60, 0.9f, kCamp + glm::vec2{60, 120}, 300, 925}, meadow);
     scatter(stage, {"dead_tree", 46, 2.0f, middle, 620, 911}, inside);
     scatter(stage, {"dead_branch", 84, 0.9f, middle, 380, 912}, inside);
     scatter(stage, {"stump", 38, 0.9f, middle, 330, 913}, edge);
     scatter(stage, {"stump_broken", 34, 0.9f, middle, 420, 914}, inside);
-    scatter(stage, {"bush", 130, 1.1f, middle, 420, 915}, edge);
-    scatter(stage, {"bush_low", 95, 0.9f, middle, 330, 916}, edge);
+    scatter(stage, {"bush", 100, 1.1f, middle, 420, 915}, edge);
+    scatter(stage, {"bush_low", 70, 0.9f, middle, 330, 916}, edge);
     scatter(stage, {"bush", 34, 1.2f, middle, 380, 917}, bank);
     scatter(stage, {"fern", 110, 0.5f, middle, 240, 918}, inside);
     scatter(stage, {"grass_dry", 120, 0.45f, middle, 190, 919}, bank);
@@ -220,10 +234,15 @@ void layRocks(Stage& stage)
 {
     const glm::vec2 middle = kCamp + glm::vec2{0, -60};
     const auto cliff = [&](glm::vec2 p) { return smooth(40, 47, slopeAt(stage.heights(), p)) * nearness(p); };
-    const auto scree = [&](glm::vec2 p) { return smooth(38, 44, steepAbove(stage, p)) * smooth(39, 31, slopeAt(stage.heights(), p)) * nearness(p); };
+    const auto scree = [&](glm::vec2 p) {
+        return smooth(38, 44, steepAbove(stage, p)) * smooth(39, 31, slopeAt(stage.heights(), p)) * nearness(p);
+    };
     const auto slope = [&](glm::vec2 p) { return smooth(14, 26, slopeAt(stage.heights(), p)) * 0.6f * nearness(p); };
     const auto bed = [&](glm::vec2 p) { return smooth(29.2f, 28.6f, altitude(stage, p)); };
-    const auto meadow = [&](glm::vec2 p) { return smooth(12, 16, streamDistance(p)) * smooth(14, 5, slopeAt(stage.heights(), p)) * smooth(16, 24, glm::length(p - kCamp)); };
+    const auto meadow = [&](glm::vec2 p) {
+        return smooth(12, 16, streamDistance(p)) * smooth(14, 5, slopeAt(stage.heights(), p)) *
+               smooth(16, 24, glm::length(p - kCamp));
+    };
 
     scatter(stage, {"rock_slab", 52, 3.0f, middle, 700, 931}, cliff);
     scatter(stage, {"boulder", 34, 2.4f, middle, 600, 932}, scree);

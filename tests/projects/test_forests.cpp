@@ -13,10 +13,11 @@ struct Row {
 };
 
 // The benchmark's table; each set holds the one before.
-const Row kRows[] = {{"Rock2", 356, 65},      {"Campfire", 7202, 3},    {"Axe", 548, 2},          {"Tree1", 1576, 657},
-                     {"Tree2", 1754, 629},    {"AutumnTree1", 1596, 635},
-                     {"Tree3", 1442, 651},    {"AutumnTree2", 2630, 676}, {"FirTree", 736, 166}, {"DeadBranch", 1500, 65},
-                     {"DeadTree", 3600, 172}, {"Stump", 2999, 1},       {"Stump2", 8704, 1}};
+const Row kRows[] = {{"Rock2", 356, 65},       {"Campfire", 7202, 3},      {"Axe", 548, 2},
+                     {"Tree1", 1576, 657},     {"Tree2", 1754, 629},       {"AutumnTree1", 1596, 635},
+                     {"Tree3", 1442, 651},     {"AutumnTree2", 2630, 676}, {"FirTree", 736, 166},
+                     {"DeadBranch", 1500, 65}, {"DeadTree", 3600, 172},    {"Stump", 2999, 1},
+                     {"Stump2", 8704, 1}};
 
 struct Set {
     const char* name;
@@ -61,7 +62,9 @@ TEST_P(Forest, CoversASquareKilometreAndIsDenserInTheMiddle)
     EXPECT_GT(double(inner) / (240.0 * 240.0), 1.5 * double(outer) / (490.0 * 490.0 - 240.0 * 240.0));
 }
 
-INSTANTIATE_TEST_SUITE_P(Sets, Forest, testing::Values(Set{"forest-1", 4, 1081274}, Set{"forest-2", 6, 3198000}, Set{"forest-3", 13, 6765201}),
+INSTANTIATE_TEST_SUITE_P(Sets, Forest,
+                         testing::Values(Set{"forest-1", 4, 1081274}, Set{"forest-2", 6, 3198000},
+                                         Set{"forest-3", 13, 6765201}),
                          [](const auto& set) { return "Set" + std::to_string(set.index + 1); });
 
 } // namespace

@@ -17,7 +17,8 @@ TEST(Making, OneModelIsTheBytesThatAreCommitted)
     make::Textures textures;
     const io::Result<std::string> made = io::encodeGlb(make::buildModel("rock_small", textures));
     ASSERT_TRUE(made);
-    const io::Result<std::string> committed = io::readFile(std::filesystem::path{WOLD_SOURCE_DIR} / "projects/valley/models/rock_small.glb");
+    const io::Result<std::string> committed =
+        io::readFile(std::filesystem::path{WOLD_SOURCE_DIR} / "projects/valley/models/rock_small.glb");
     ASSERT_TRUE(committed);
     EXPECT_TRUE(*made == *committed) << "run wold-make-worlds projects, look at the pictures, and commit both";
 }
@@ -44,7 +45,8 @@ TEST(Making, RefiningHitsTheCountAndKeepsTheShape)
     const auto areaOf = [](const make::Mesh& mesh) {
         double area = 0;
         for (const make::Triangle& t : mesh.triangles())
-            area += 0.5 * glm::length(glm::cross(t.corners[1].position - t.corners[0].position, t.corners[2].position - t.corners[0].position));
+            area += 0.5 * glm::length(glm::cross(t.corners[1].position - t.corners[0].position,
+                                                 t.corners[2].position - t.corners[0].position));
         return area;
     };
     for (const std::size_t count : {12u, 13u, 40u, 41u, 1000u}) {

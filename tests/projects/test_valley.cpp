@@ -26,9 +26,11 @@ TEST(Valley, HasModelsOfEveryKindItPromises)
     for (const io::Scene::TemplateSlot& slot : valley().scene().templates())
         models += slot.value && !slot.value->model.empty();
     EXPECT_GE(models, 14u);
-    for (const char* name : {"oak_young", "oak", "oak_old", "oak_autumn", "birch_young", "birch", "birch_old", "birch_autumn", "beech_young", "beech",
-                             "beech_old", "beech_autumn", "fir_young", "fir", "fir_old", "dead_tree", "dead_branch", "stump", "stump_broken", "rock",
-                             "bush", "axe", "campfire", "tent", "hut", "fence"}) {
+    for (const char* name :
+         {"oak_young",    "oak",         "oak_old",     "oak_autumn", "birch_young",  "birch",     "birch_old",
+          "birch_autumn", "beech_young", "beech",       "beech_old",  "beech_autumn", "fir_young", "fir",
+          "fir_old",      "dead_tree",   "dead_branch", "stump",      "stump_broken", "rock",      "bush",
+          "axe",          "campfire",    "tent",        "hut",        "fence"}) {
         const io::TemplateId id = valley().scene().findTemplate(name);
         ASSERT_NE(id, io::TemplateId::None) << name;
         const auto copies = std::ranges::count(valley().scene().objects(), id, &io::Object::templateId);
@@ -54,7 +56,8 @@ TEST(Valley, EverythingStandsOnTheGround)
         const io::HeightMap& heights = *valley().assets.heights;
         const glm::dquat turn = io::orientation(object.transform.rotation);
         const glm::dvec3 foot = object.transform.position + turn * glm::dvec3{0, bottom * object.transform.scale.y, 0};
-        const glm::dvec3 up = what->alignToGround ? heights.normal(foot.x, foot.z).value_or(glm::dvec3{0, 1, 0}) : glm::dvec3{0, 1, 0};
+        const glm::dvec3 up =
+            what->alignToGround ? heights.normal(foot.x, foot.z).value_or(glm::dvec3{0, 1, 0}) : glm::dvec3{0, 1, 0};
         const glm::dvec3 rests = foot + up * double(what->sink);
         const auto ground = heights.height(rests.x, rests.z);
         ASSERT_TRUE(ground) << what->name << " " << number(object.id) << " stands outside the world";
@@ -67,7 +70,8 @@ TEST(Valley, NoTwoTrunksOverlap)
     std::vector<glm::dvec2> trunks;
     for (const io::Object& object : valley().scene().objects()) {
         const io::Template* what = valley().scene().find(object.templateId);
-        if (what && what->category == "Trees") trunks.emplace_back(object.transform.position.x, object.transform.position.z);
+        if (what && what->category == "Trees")
+            trunks.emplace_back(object.transform.position.x, object.transform.position.z);
     }
     EXPECT_GT(trunks.size(), 2000u);
     std::sort(trunks.begin(), trunks.end(), [](const glm::dvec2& a, const glm::dvec2& b) { return a.x < b.x; });
