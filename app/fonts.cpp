@@ -45,7 +45,8 @@ std::filesystem::path fileOf(const char* family, int weight, bool any)
     FcChar8* file = nullptr;
     int index = 0;
     if (!font || FcPatternGetString(font.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
-    if (FcPatternGetInteger(font.get(), FC_INDEX, 0, &index) == FcResultMatch && index != 0) return {}; // of a collection
+    if (FcPatternGetInteger(font.get(), FC_INDEX, 0, &index) == FcResultMatch && index != 0)
+        return {}; // of a collection
     if (!hasCzech(font.get()) || (!any && !isOf(font.get(), family))) return {};
     return reinterpret_cast<const char*>(file);
 }

@@ -66,8 +66,9 @@ EGLContext makeContext(EGLDisplay display)
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!eglChooseConfig(display, kConfig.data(), &config, 1, &count) || count == 0) config = EGL_NO_CONFIG_KHR;
-    constexpr std::array<EGLint, 7> kContext{EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
-                                             EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    constexpr std::array<EGLint, 7> kContext{
+        EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     return eglCreateContext(display, config, EGL_NO_CONTEXT, kContext.data());
 }
 
@@ -93,8 +94,8 @@ std::vector<Attempt> waysToDevices()
     std::vector<Attempt> ways;
     const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (contains(client, "EGL_MESA_platform_surfaceless"))
-        ways.push_back({"EGL surfaceless",
-                        eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
+        ways.push_back(
+            {"EGL surfaceless", eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
     if (!contains(client, "EGL_EXT_platform_device") || !contains(client, "EGL_EXT_device_enumeration")) return ways;
     std::array<EGLDeviceEXT, 32> devices{};
     EGLint count = 0;
@@ -122,9 +123,10 @@ io::Result<std::unique_ptr<GlContext>> makeHeadless()
         if (!way.fault.empty()) faults += fmt::format("; {}: {}", way.platform, way.fault);
     }
     if (!fallback || !fallback->makeCurrent())
-        return io::Error{"OpenGL", fmt::format("a device with OpenGL 4.5 core is needed and EGL has none{}; install its "
-                                               "driver, or Mesa (libgl1-mesa-dri, libegl-mesa0)",
-                                               faults.empty() ? "; no platform without a display is known here" : faults)};
+        return io::Error{"OpenGL",
+                         fmt::format("a device with OpenGL 4.5 core is needed and EGL has none{}; install its "
+                                     "driver, or Mesa (libgl1-mesa-dri, libegl-mesa0)",
+                                     faults.empty() ? "; no platform without a display is known here" : faults)};
     return std::unique_ptr<GlContext>{std::move(fallback)};
 }
 

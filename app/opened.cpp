@@ -17,8 +17,7 @@ std::string projectFile(const editor::Document& document)
     return (document.project().folder / "project.json").string();
 }
 
-template <class Named>
-std::string namesOf(std::span<const Named> all)
+template <class Named> std::string namesOf(std::span<const Named> all)
 {
     std::string names;
     for (const Named& one : all)
@@ -92,7 +91,8 @@ io::Result<io::Camera> cameraFor(const Options& options, const editor::Document&
     const auto cameras = document.scene().cameras();
     if (!options.camera.empty()) {
         if (const io::Camera* found = document.scene().findCamera(options.camera)) return *found;
-        return io::Error{projectFile(document), fmt::format("has no camera \"{}\"; its cameras: {}", options.camera, namesOf(cameras))};
+        return io::Error{projectFile(document),
+                         fmt::format("has no camera \"{}\"; its cameras: {}", options.camera, namesOf(cameras))};
     }
     return cameras.empty() ? middleOf(document) : cameras.front();
 }
@@ -102,9 +102,10 @@ io::Result<io::CameraPath> pathFor(const Options& options, const editor::Documen
     const auto paths = document.scene().paths();
     if (const io::CameraPath* found = document.scene().findPath(options.path)) return *found;
     if (options.path.empty() && !paths.empty()) return paths.front();
-    return io::Error{projectFile(document), options.path.empty()
-                                                ? "has no camera path; add one to \"paths\""
-                                                : fmt::format("has no camera path \"{}\"; its paths: {}", options.path, namesOf(paths))};
+    return io::Error{projectFile(document),
+                     options.path.empty()
+                         ? "has no camera path; add one to \"paths\""
+                         : fmt::format("has no camera path \"{}\"; its paths: {}", options.path, namesOf(paths))};
 }
 
 } // namespace app

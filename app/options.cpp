@@ -75,8 +75,7 @@ renderer::Show showFrom(const std::string& text)
 {
     const auto names = enumNames(renderer::Show{});
     const auto found = std::find(names.begin(), names.end(), text);
-    if (found == names.end())
-        throw wrong("--show", text, fmt::format("choose one of {}", fmt::join(names, " ")));
+    if (found == names.end()) throw wrong("--show", text, fmt::format("choose one of {}", fmt::join(names, " ")));
     return renderer::Show(found - names.begin());
 }
 
@@ -155,7 +154,8 @@ void addProject(CLI::App& app, Options& o, bool required)
 void addEdit(CLI::App& app, Options& o)
 {
     addProject(app, o, false);
-    app.add_option("--replay", o.replay, "feed the events of this file to the editor (docs/replay.md)")->type_name("FILE");
+    app.add_option("--replay", o.replay, "feed the events of this file to the editor (docs/replay.md)")
+        ->type_name("FILE");
     app.add_option("--shot", o.shots, "after the replay, a picture of the whole window")
         ->type_name("FILE")
         ->expected(1)
@@ -170,10 +170,12 @@ void addRender(CLI::App& app, Options& o)
     addProject(app, o, true);
     app.add_option("--out", o.out, "picture: .png, .jpg, or .exr for linear radiance")->type_name("FILE")->required();
     addView(app, o);
-    app.add_option_function<std::string>("--show", [&o](const std::string& text) { o.show = showFrom(text); },
-                                         fmt::format("{}", fmt::join(enumNames(renderer::Show{}), " ")))
+    app.add_option_function<std::string>(
+           "--show", [&o](const std::string& text) { o.show = showFrom(text); },
+           fmt::format("{}", fmt::join(enumNames(renderer::Show{}), " ")))
         ->type_name("BUFFER");
-    option(app, "--frames", o.range, rangeFrom, "frames A to B of a camera path, numbered (60 a second)")->type_name("A..B");
+    option(app, "--frames", o.range, rangeFrom, "frames A to B of a camera path, numbered (60 a second)")
+        ->type_name("A..B");
     app.add_option_function<std::string>(
            "--count", [&o](const std::string& text) { o.count = countFrom("--count", text, 1); },
            "so many pictures, spread evenly over a camera path")
@@ -186,7 +188,8 @@ void addBench(CLI::App& app, Options& o)
     addProject(app, o, true);
     app.add_option("--path", o.path, "camera path to fly (default: the first)")->type_name("NAME");
     app.add_option_function<std::string>(
-           "--frames", [&o](const std::string& text) { o.frames = countFrom("--frames", text, 1); }, "frames to measure")
+           "--frames", [&o](const std::string& text) { o.frames = countFrom("--frames", text, 1); },
+           "frames to measure")
         ->type_name("N");
     app.add_option_function<std::string>(
            "--warmup", [&o](const std::string& text) { o.warmup = countFrom("--warmup", text, 0); },
@@ -217,13 +220,14 @@ void build(CLI::App& app, Options& o)
     command(Command::Edit, "open the editor's window (the default)", addEdit, addDrawing);
     command(Command::Render, "draw one picture, or a sequence along a path", addRender, addDrawing);
     command(Command::Pick, "what lies under pixels", addPick, addDrawing);
-    command(Command::Run, "run editor commands, one JSON object a line",
-            [](CLI::App& sub, Options& to) {
-                addProject(sub, to, true);
-                sub.add_option("SCRIPT", to.script, "file of commands, - is stdin")->required();
-                addView(sub, to);
-            },
-            addDrawing);
+    command(
+        Command::Run, "run editor commands, one JSON object a line",
+        [](CLI::App& sub, Options& to) {
+            addProject(sub, to, true);
+            sub.add_option("SCRIPT", to.script, "file of commands, - is stdin")->required();
+            addView(sub, to);
+        },
+        addDrawing);
     command(Command::Bench, "measure drawing along a path", addBench, addDrawing);
     command(Command::Check, "read all that a project names and list every fault", [](CLI::App& sub, Options& to) {
         addProject(sub, to, true);
@@ -260,12 +264,14 @@ std::size_t firstWord(const CLI::App& app, const std::vector<std::string>& argum
 // `wold PROJECT` means edit, and options may stand before the command.
 void putCommandFirst(const CLI::App& app, std::vector<std::string>& arguments)
 {
-    if (arguments.size() == 1 && (arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "--version")) return;
+    if (arguments.size() == 1 && (arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "--version"))
+        return;
     const std::size_t at = firstWord(app, arguments);
     const bool named = at < arguments.size() && (std::ranges::count(kCommands, arguments[at]) > 0 ||
                                                  std::ranges::count(kLater, arguments[at]) > 0);
     if (named)
-        std::rotate(arguments.begin(), arguments.begin() + std::ptrdiff_t(at), arguments.begin() + std::ptrdiff_t(at) + 1);
+        std::rotate(arguments.begin(), arguments.begin() + std::ptrdiff_t(at),
+                    arguments.begin() + std::ptrdiff_t(at) + 1);
     else
         arguments.insert(arguments.begin(), "edit");
 }

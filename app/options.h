@@ -28,37 +28,37 @@ struct Options {
     std::filesystem::path project; // empty: none was named
 
     // Of every command that draws.
-    std::string scene;             // empty: the start scene
-    glm::ivec2 size{1280, 720};    // pixels
+    std::string scene;          // empty: the start scene
+    glm::ivec2 size{1280, 720}; // pixels
     bool sizeGiven = false;
-    std::optional<float> time;     // hours
+    std::optional<float> time;                             // hours
     std::vector<std::pair<std::string, std::string>> sets; // KEY, VALUE
     std::optional<Quality> quality;
-    std::string language;          // empty: as the person's settings say
-    std::filesystem::path config;  // empty: settings.json in the person's folder
-    std::string json;              // file, "-" for stdout, empty for none
+    std::string language;         // empty: as the person's settings say
+    std::filesystem::path config; // empty: settings.json in the person's folder
+    std::string json;             // file, "-" for stdout, empty for none
     bool headless = false;
     bool quiet = false;
-    bool verbose = false;          // --log was given: the log's own level stands
+    bool verbose = false; // --log was given: the log's own level stands
 
     std::optional<io::Camera> view;
-    std::string camera;            // name
-    std::string path;              // name
+    std::string camera; // name
+    std::string path;   // name
     std::filesystem::path out;
     renderer::Show show = renderer::Show::Final;
     std::optional<FrameRange> range; // render
-    int count = 0;                 // render: pictures spread over the path; 0: not asked for
-    int frames = 0;                // bench; 0: its own choice
-    int warmup = 10;               // bench
-    std::filesystem::path points;  // pick
-    std::string script;            // run; "-" reads stdin
-    bool fix = false;              // check
-    std::filesystem::path folder;  // new
-    std::string starter = "empty"; // new
+    int count = 0;                   // render: pictures spread over the path; 0: not asked for
+    int frames = 0;                  // bench; 0: its own choice
+    int warmup = 10;                 // bench
+    std::filesystem::path points;    // pick
+    std::string script;              // run; "-" reads stdin
+    bool fix = false;                // check
+    std::filesystem::path folder;    // new
+    std::string starter = "empty";   // new
 
-    std::filesystem::path replay;  // edit
-    std::filesystem::path record;  // edit
-    std::filesystem::path uiMap;   // edit
+    std::filesystem::path replay;             // edit
+    std::filesystem::path record;             // edit
+    std::filesystem::path uiMap;              // edit
     std::vector<std::filesystem::path> shots; // edit
 };
 

@@ -74,15 +74,18 @@ io::Result<Player::Progress> Player::move(const step::Move& move, ImGuiIO& io)
     }
     if (m_waited < kPatience) return Progress::Waiting;
     const Place& missing = to ? move.from : move.to;
-    return io::Error{"", fmt::format("no widget with panel \"{}\", label \"{}\" is visible; --ui-map lists those that are",
-                                     missing.panel, missing.label)};
+    return io::Error{"",
+                     fmt::format("no widget with panel \"{}\", label \"{}\" is visible; --ui-map lists those that are",
+                                 missing.panel, missing.label)};
 }
 
 io::Result<Player::Progress> Player::play(const Step& step, ImGuiIO& io)
 {
     if (const auto* one = std::get_if<step::Move>(&step.action)) return move(*one, io);
-    if (const auto* one = std::get_if<step::Button>(&step.action)) return io.MouseDown[one->button] = one->down, Progress::FrameDone;
-    if (const auto* one = std::get_if<step::Key>(&step.action)) return setKey(io, one->code, one->down), Progress::FrameDone;
+    if (const auto* one = std::get_if<step::Button>(&step.action))
+        return io.MouseDown[one->button] = one->down, Progress::FrameDone;
+    if (const auto* one = std::get_if<step::Key>(&step.action))
+        return setKey(io, one->code, one->down), Progress::FrameDone;
     if (const auto* one = std::get_if<step::Text>(&step.action))
         return io.AddInputCharactersUTF8(one->text.c_str()), Progress::FrameDone;
     if (const auto* one = std::get_if<step::Wheel>(&step.action)) {
@@ -92,7 +95,8 @@ io::Result<Player::Progress> Player::play(const Step& step, ImGuiIO& io)
     }
     if (const auto* one = std::get_if<step::Wait>(&step.action))
         return m_waited < one->frames ? Progress::Waiting : Progress::NextStep;
-    if (const auto* one = std::get_if<step::Resize>(&step.action)) return m_stage.resize(one->size), Progress::FrameDone;
+    if (const auto* one = std::get_if<step::Resize>(&step.action))
+        return m_stage.resize(one->size), Progress::FrameDone;
 
     const auto* shot = std::get_if<step::Shot>(&step.action);
     const io::Status done = shot ? m_stage.shot(shot->file) : m_stage.uiMap(std::get<step::UiMap>(step.action).file);

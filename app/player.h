@@ -12,7 +12,7 @@ class Player {
 public:
     // What the player cannot do by itself; called between frames, when the last one is complete.
     struct Stage {
-        std::function<io::Status(const std::filesystem::path&)> shot;  // empty: the next file of --shot
+        std::function<io::Status(const std::filesystem::path&)> shot; // empty: the next file of --shot
         std::function<io::Status(const std::filesystem::path&)> uiMap;
         std::function<void(glm::ivec2)> resize;
     };

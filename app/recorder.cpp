@@ -61,7 +61,8 @@ void Recorder::frame(const ImGuiIO& io)
     keys(io, true, false);
     keys(io, false, false);
     keys(io, false, true);
-    if (io.MouseWheel != 0 || io.MouseWheelH != 0) write(fmt::format("{{\"wheel\": [{}, {}]}}", io.MouseWheelH, io.MouseWheel));
+    if (io.MouseWheel != 0 || io.MouseWheelH != 0)
+        write(fmt::format("{{\"wheel\": [{}, {}]}}", io.MouseWheelH, io.MouseWheel));
     std::string typed;
     for (const ImWchar letter : io.InputQueueCharacters)
         typed += utf8(letter);

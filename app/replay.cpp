@@ -17,14 +17,31 @@ struct KeyName {
     std::string_view name;
     int code;
 };
-constexpr KeyName kKeys[] = {
-    {"Space", GLFW_KEY_SPACE}, {"Escape", GLFW_KEY_ESCAPE}, {"Enter", GLFW_KEY_ENTER}, {"Tab", GLFW_KEY_TAB},
-    {"Backspace", GLFW_KEY_BACKSPACE}, {"Insert", GLFW_KEY_INSERT}, {"Delete", GLFW_KEY_DELETE},
-    {"Right", GLFW_KEY_RIGHT}, {"Left", GLFW_KEY_LEFT}, {"Down", GLFW_KEY_DOWN}, {"Up", GLFW_KEY_UP},
-    {"PageUp", GLFW_KEY_PAGE_UP}, {"PageDown", GLFW_KEY_PAGE_DOWN}, {"Home", GLFW_KEY_HOME}, {"End", GLFW_KEY_END},
-    {"Shift", GLFW_KEY_LEFT_SHIFT}, {"Ctrl", GLFW_KEY_LEFT_CONTROL}, {"Alt", GLFW_KEY_LEFT_ALT},
-    {"RightShift", GLFW_KEY_RIGHT_SHIFT}, {"RightCtrl", GLFW_KEY_RIGHT_CONTROL}, {"RightAlt", GLFW_KEY_RIGHT_ALT},
-    {"Comma", GLFW_KEY_COMMA}, {"Minus", GLFW_KEY_MINUS}, {"Period", GLFW_KEY_PERIOD}, {"Slash", GLFW_KEY_SLASH}};
+constexpr KeyName kKeys[] = {{"Space", GLFW_KEY_SPACE},
+                             {"Escape", GLFW_KEY_ESCAPE},
+                             {"Enter", GLFW_KEY_ENTER},
+                             {"Tab", GLFW_KEY_TAB},
+                             {"Backspace", GLFW_KEY_BACKSPACE},
+                             {"Insert", GLFW_KEY_INSERT},
+                             {"Delete", GLFW_KEY_DELETE},
+                             {"Right", GLFW_KEY_RIGHT},
+                             {"Left", GLFW_KEY_LEFT},
+                             {"Down", GLFW_KEY_DOWN},
+                             {"Up", GLFW_KEY_UP},
+                             {"PageUp", GLFW_KEY_PAGE_UP},
+                             {"PageDown", GLFW_KEY_PAGE_DOWN},
+                             {"Home", GLFW_KEY_HOME},
+                             {"End", GLFW_KEY_END},
+                             {"Shift", GLFW_KEY_LEFT_SHIFT},
+                             {"Ctrl", GLFW_KEY_LEFT_CONTROL},
+                             {"Alt", GLFW_KEY_LEFT_ALT},
+                             {"RightShift", GLFW_KEY_RIGHT_SHIFT},
+                             {"RightCtrl", GLFW_KEY_RIGHT_CONTROL},
+                             {"RightAlt", GLFW_KEY_RIGHT_ALT},
+                             {"Comma", GLFW_KEY_COMMA},
+                             {"Minus", GLFW_KEY_MINUS},
+                             {"Period", GLFW_KEY_PERIOD},
+                             {"Slash", GLFW_KEY_SLASH}};
 
 constexpr std::array<std::string_view, 3> kButtons{"left", "right", "middle"};
 constexpr int kLongestWait = 100'000; // frames
@@ -38,7 +55,8 @@ bool sameWord(std::string_view a, std::string_view b)
 // Reads one line's object into steps. The first fault is kept; what follows it does not matter.
 class LineReader {
 public:
-    LineReader(const io::Value& object, int line, std::vector<Step>& steps) : m_object{object}, m_line{line}, m_steps{steps}
+    LineReader(const io::Value& object, int line, std::vector<Step>& steps)
+        : m_object{object}, m_line{line}, m_steps{steps}
     {
     }
 
@@ -160,11 +178,16 @@ Place LineReader::place(const io::Value& value, std::string_view name)
     if (!members) return {.pixel = pair(value, name)};
     Place result;
     for (const auto& [key, member] : *members)
-        if (key == "panel") result.panel = text(member, key);
-        else if (key == "label") result.label = text(member, key);
-        else if (key == "kind") result.kind = text(member, key);
-        else if (key == "offset") result.pixel = pair(member, key);
-        else wrong(fmt::format("a widget is named by panel, label and kind, not \"{}\"", key));
+        if (key == "panel")
+            result.panel = text(member, key);
+        else if (key == "label")
+            result.label = text(member, key);
+        else if (key == "kind")
+            result.kind = text(member, key);
+        else if (key == "offset")
+            result.pixel = pair(member, key);
+        else
+            wrong(fmt::format("a widget is named by panel, label and kind, not \"{}\"", key));
     if (!result.isWidget()) wrong(fmt::format("\"{}\" names no widget: give its panel and label", name));
     return result;
 }
@@ -275,7 +298,8 @@ io::Result<std::vector<Step>> parseReplay(std::string_view text, const std::stri
         const std::string place = fmt::format("{}:{}", where, number);
         const auto object = io::parseJson(line, place);
         if (!object) return io::Error{place, object.error().what};
-        if (const std::string fault = LineReader{*object, number, steps}.read(); !fault.empty()) return io::Error{place, fault};
+        if (const std::string fault = LineReader{*object, number, steps}.read(); !fault.empty())
+            return io::Error{place, fault};
     }
     return steps;
 }

@@ -9,8 +9,7 @@
 
 namespace app {
 
-template <class T>
-std::optional<T> toNumber(std::string_view text)
+template <class T> std::optional<T> toNumber(std::string_view text)
 {
     T value{};
     if (!text.empty() && text.front() == '+') text.remove_prefix(1);

@@ -9,7 +9,7 @@
 
 namespace app {
 
-std::vector<editor::Language> languages(); // sorted by code; what app/lang holds
+std::vector<editor::Language> languages();       // sorted by code; what app/lang holds
 io::Status useLanguage(const std::string& code); // an error leaves the texts as they were
 
 } // namespace app

@@ -38,7 +38,8 @@ io::Result<std::unique_ptr<Window>> Window::create(Options options)
     if (!handle) {
         if (g_windows == 0) glfwTerminate();
         return io::Error{"OpenGL", fmt::format("a window with OpenGL 4.5 core is needed: {}; install the driver of the "
-                                               "graphics card, or Mesa", g_fault)};
+                                               "graphics card, or Mesa",
+                                               g_fault)};
     }
     ++g_windows;
     std::unique_ptr<Window> window{new Window{handle}};

@@ -26,15 +26,15 @@ public:
     Window& operator=(const Window&) = delete;
 
     GLFWwindow* handle() const { return m_window; }
-    glm::ivec2 pixels() const;     // of the framebuffer; 0 while minimised
-    float scale() const;           // of the screen it is on: 1 at 96 dpi
-    bool closeAsked();             // true once for each time the person asks to close it
-    bool shown() const;            // neither minimised nor without area
+    glm::ivec2 pixels() const;                        // of the framebuffer; 0 while minimised
+    float scale() const;                              // of the screen it is on: 1 at 96 dpi
+    bool closeAsked();                                // true once for each time the person asks to close it
+    bool shown() const;                               // neither minimised nor without area
     std::vector<std::filesystem::path> takeDropped(); // files dropped on it since the last call
 
     void setTitle(const std::string& title);
     void setPointerHidden(bool hidden); // hidden, it moves without bound; the position is kept
-    void swap();                   // shows what was drawn, waits for the screen
+    void swap();                        // shows what was drawn, waits for the screen
     static void waitForEvents(double seconds);
     static void takeEvents();
 

@@ -16,7 +16,7 @@ public:
     Canvas& operator=(const Canvas&) = delete;
 
     glm::ivec2 size() const;
-    void begin(); // cleared to black; what is drawn next lands here
+    void begin();     // cleared to black; what is drawn next lands here
     io::Image read(); // RGB8, top row first
 
 private:

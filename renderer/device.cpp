@@ -31,7 +31,8 @@ constexpr const char* kExtensions[] = {"GL_ARB_indirect_parameters", "GL_ARB_sha
 
 Device describeDevice()
 {
-    Device device{textOf(GL_VENDOR), textOf(GL_RENDERER), textOf(GL_VERSION), textOf(GL_SHADING_LANGUAGE_VERSION), {}, {}};
+    Device device{
+        textOf(GL_VENDOR), textOf(GL_RENDERER), textOf(GL_VERSION), textOf(GL_SHADING_LANGUAGE_VERSION), {}, {}};
     for (const Limit& limit : kLimits) {
         GLint64 value = 0;
         glGetInteger64v(limit.key, &value);

@@ -86,8 +86,8 @@ io::Result<Flight> flightOf(const Options& options, const editor::Document& docu
     return flight;
 }
 
-double drawFrame(renderer::Renderer& renderer, const io::Camera& camera, const renderer::Settings& drawing, glm::ivec2 size,
-                 double time)
+double drawFrame(renderer::Renderer& renderer, const io::Camera& camera, const renderer::Settings& drawing,
+                 glm::ivec2 size, double time)
 {
     const double start = now();
     renderer.render({.camera = camera, .size = size, .settings = drawing, .time = time});
@@ -95,7 +95,8 @@ double drawFrame(renderer::Renderer& renderer, const io::Camera& camera, const r
     return now() - start;
 }
 
-Measured measure(renderer::Renderer& renderer, const Flight& flight, const renderer::Settings& drawing, const Options& options)
+Measured measure(renderer::Renderer& renderer, const Flight& flight, const renderer::Settings& drawing,
+                 const Options& options)
 {
     const int frames = options.frames > 0 ? options.frames : kFrames;
     const io::Progress progress = progressOnStderr(options.quiet);
@@ -131,8 +132,10 @@ io::Value figuresOf(const Measured& measured)
 void print(const io::Value& figures)
 {
     for (const auto& [name, value] : *figures.asObject())
-        if (value.asNumber()) fmt::print("{:22}{:.6g}\n", name, *value.asNumber());
-        else if (value.asString()) fmt::print("{:22}{}\n", name, *value.asString());
+        if (value.asNumber())
+            fmt::print("{:22}{:.6g}\n", name, *value.asNumber());
+        else if (value.asString())
+            fmt::print("{:22}{}\n", name, *value.asString());
     for (const io::Value& pass : *figures.find("passes")->asArray())
         fmt::print("pass {:17}cpu {:.3f} ms, gpu {:.3f} ms\n", *pass.find("name")->asString(),
                    *pass.find("cpu_ms")->asNumber(), *pass.find("gpu_ms")->asNumber());

@@ -60,7 +60,8 @@ int check(const Options& options)
     const auto errors = std::ranges::count_if(complaints, isError);
     if (errors == 0) return 0;
     const io::Complaint& first = *std::ranges::find_if(complaints, isError);
-    return fault({first.where, errors == 1 ? first.what : fmt::format("{} (the first of {} errors)", first.what, errors)});
+    return fault(
+        {first.where, errors == 1 ? first.what : fmt::format("{} (the first of {} errors)", first.what, errors)});
 }
 
 } // namespace app

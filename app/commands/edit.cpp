@@ -19,10 +19,10 @@
 namespace app {
 namespace {
 
-constexpr double kStep = 1.0 / 60;        // s, of a replayed frame
-constexpr double kLongestFrame = 0.25;    // s; a hitch does not fling the camera
-constexpr double kIdle = 0.5;             // s between frames when nothing happens: a text cursor's blink
-constexpr int kSettle = 3;                // frames after a replay, so that its last event is seen
+constexpr double kStep = 1.0 / 60;     // s, of a replayed frame
+constexpr double kLongestFrame = 0.25; // s; a hitch does not fling the camera
+constexpr double kIdle = 0.5;          // s between frames when nothing happens: a text cursor's blink
+constexpr int kSettle = 3;             // frames after a replay, so that its last event is seen
 
 Settings settingsFor(const Options& options)
 {
@@ -175,6 +175,7 @@ private:
         m_window.setTitle(m_view.editor().title());
         m_window.setPointerHidden(m_view.editor().pointerHidden());
         m_window.swap();
+        m_view.frameTook(std::chrono::duration<double>(Clock::now() - now).count());
     }
 
     using Clock = std::chrono::steady_clock;
@@ -191,7 +192,8 @@ int openWindow(const Options& options)
     if (const int code = applyToDrawing(options, drawing)) return code;
     std::optional<Recorder> recorder;
     if (!options.record.empty()) recorder.emplace(options.record);
-    if (recorder && !recorder->open()) return fault({options.record.string(), "cannot be written; name a file in a folder that exists"});
+    if (recorder && !recorder->open())
+        return fault({options.record.string(), "cannot be written; name a file in a folder that exists"});
     Settings settings = settingsFor(options);
     auto window = Window::create({.size = options.sizeGiven ? options.size : glm::ivec2{1600, 900}});
     if (!window) return fault(window.error());
@@ -212,9 +214,11 @@ int openWindow(const Options& options)
 int edit(const Options& options)
 {
     if (!options.replay.empty()) return replay(options);
-    if (options.headless) return misuse("edit --headless needs --replay FILE: without a display nobody could use the window");
+    if (options.headless)
+        return misuse("edit --headless needs --replay FILE: without a display nobody could use the window");
     if (!hasDisplay())
-        return fault({"display", "there is none (DISPLAY, WAYLAND_DISPLAY); use --replay FILE, or wold render for pictures"});
+        return fault(
+            {"display", "there is none (DISPLAY, WAYLAND_DISPLAY); use --replay FILE, or wold render for pictures"});
     return openWindow(options);
 }
 

@@ -5,14 +5,22 @@ namespace app {
 int execute(const Options& options)
 {
     switch (options.command) {
-    case Command::Edit: return edit(options);
-    case Command::Render: return render(options);
-    case Command::Pick: return pick(options);
-    case Command::Run: return runScript(options);
-    case Command::Bench: return bench(options);
-    case Command::Check: return check(options);
-    case Command::New: return makeProject(options);
-    case Command::Info: return info(options);
+    case Command::Edit:
+        return edit(options);
+    case Command::Render:
+        return render(options);
+    case Command::Pick:
+        return pick(options);
+    case Command::Run:
+        return runScript(options);
+    case Command::Bench:
+        return bench(options);
+    case Command::Check:
+        return check(options);
+    case Command::New:
+        return makeProject(options);
+    case Command::Info:
+        return info(options);
     }
     return 2;
 }

@@ -101,7 +101,8 @@ void print(const io::Value& value, std::string_view name, int depth)
     } else if (const auto* items = value.asArray()) {
         std::string list;
         for (const io::Value& item : *items)
-            list += (list.empty() ? "" : ", ") + (item.asString() ? *item.asString() : fmt::format("{}", *item.asNumber()));
+            list +=
+                (list.empty() ? "" : ", ") + (item.asString() ? *item.asString() : fmt::format("{}", *item.asNumber()));
         fmt::print("{}{}: {}\n", head, name, list);
     } else if (const auto* text = value.asString()) {
         fmt::print("{}{}: {}\n", head, name, *text);

@@ -32,13 +32,15 @@ io::Result<std::vector<glm::dvec2>> readPoints(const std::filesystem::path& file
     for (std::string_view row : split(*text, '\n')) {
         ++line;
         std::vector<std::string_view> words;
-        for (std::size_t from = row.find_first_not_of(" \t\r,"); from != row.npos; from = row.find_first_not_of(" \t\r,", from)) {
+        for (std::size_t from = row.find_first_not_of(" \t\r,"); from != row.npos;
+             from = row.find_first_not_of(" \t\r,", from)) {
             words.push_back(row.substr(from, row.find_first_of(" \t\r,", from) - from));
             from += words.back().size();
         }
         if (words.empty() || words.front().starts_with('#')) continue;
         const auto x = coordinate(words[0]), y = words.size() == 2 ? coordinate(words[1]) : std::nullopt;
-        if (!x || !y) return io::Error{fmt::format("{}:{}", file.string(), line), "write two numbers, the x and y of a pixel"};
+        if (!x || !y)
+            return io::Error{fmt::format("{}:{}", file.string(), line), "write two numbers, the x and y of a pixel"};
         points.emplace_back(*x, *y);
     }
     return points;
@@ -86,11 +88,12 @@ int pick(const Options& options)
     const Picked picked = pickAll(*document, {.camera = *camera, .size = options.size}, *points);
     for (const editor::PickHit& hit : picked.hits)
         std::puts(io::writeJson(editor::describe(hit, document->scene())).c_str());
-    const io::Value figures = io::Value::Object{{"rays", std::uint64_t(points->size())},
-                                                {"seconds", picked.seconds},
-                                                {"rays_per_second", double(points->size()) / std::max(picked.seconds, 1e-9)},
-                                                {"index_ms", picked.buildSeconds * 1e3},
-                                                {"load_ms", milliseconds}};
+    const io::Value figures =
+        io::Value::Object{{"rays", std::uint64_t(points->size())},
+                          {"seconds", picked.seconds},
+                          {"rays_per_second", double(points->size()) / std::max(picked.seconds, 1e-9)},
+                          {"index_ms", picked.buildSeconds * 1e3},
+                          {"load_ms", milliseconds}};
     const io::Status written = writeFigures(options.json, figures);
     return written ? 0 : fault(written.error());
 }

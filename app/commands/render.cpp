@@ -54,7 +54,8 @@ io::Result<std::vector<Shot>> shotsOf(const Options& options, const editor::Docu
     return shots;
 }
 
-io::Status draw(renderer::Renderer& renderer, const Shot& shot, const renderer::Settings& drawing, const Options& options)
+io::Status draw(renderer::Renderer& renderer, const Shot& shot, const renderer::Settings& drawing,
+                const Options& options)
 {
     renderer.render({.camera = shot.camera,
                      .size = options.size,
@@ -82,7 +83,8 @@ io::Value figuresOf(const renderer::Renderer& renderer, const Options& options, 
 
 int render(const Options& options)
 {
-    if (!isKnown(options.out)) return misuse(fmt::format("--out {}: end it in .png, .jpg or .exr", options.out.string()));
+    if (!isKnown(options.out))
+        return misuse(fmt::format("--out {}: end it in .png, .jpg or .exr", options.out.string()));
     if (isRadiance(options.out) && options.show != renderer::Show::Final)
         return misuse("--show goes into .png or .jpg; .exr holds the radiance of the final picture");
     auto opened = openAsAsked(options);

@@ -69,9 +69,8 @@ editor::ScriptHooks hooksFor(ScriptPictures& pictures, renderer::Settings& drawi
     return {.changed = [&](const io::Changes& changes) { pictures.changed(changes); },
             .render = [&](const editor::RenderRequest& request) { return pictures.draw(request); },
             .getSetting = [&](std::string_view key) { return getDrawing(drawing, key.substr(kPrefix)); },
-            .setSetting = [&](std::string_view key, const io::Value& value) {
-                return setDrawing(drawing, key.substr(kPrefix), value);
-            }};
+            .setSetting = [&](std::string_view key,
+                              const io::Value& value) { return setDrawing(drawing, key.substr(kPrefix), value); }};
 }
 
 io::Value refusal(const std::string& error)
@@ -96,7 +95,8 @@ void answerLine(editor::Script& script, const std::string& text, const std::stri
     if (ok && ok->asBool() && *ok->asBool()) return;
     const io::Value* error = answer.find("error");
     if (++outcome.failed == 1)
-        outcome.first = command ? io::Error{where, error && error->asString() ? *error->asString() : "failed"} : command.error();
+        outcome.first =
+            command ? io::Error{where, error && error->asString() ? *error->asString() : "failed"} : command.error();
 }
 
 Outcome answerAll(editor::Script& script, std::istream& lines, const std::string& name)
@@ -117,7 +117,8 @@ int runScript(const Options& options)
     const bool piped = options.script == "-";
     if (!piped) {
         std::error_code failed;
-        if (!std::filesystem::is_regular_file(options.script, failed)) return fault({options.script, "is no file; name a script, or - for stdin"});
+        if (!std::filesystem::is_regular_file(options.script, failed))
+            return fault({options.script, "is no file; name a script, or - for stdin"});
         file.open(options.script);
         if (!file) return fault({options.script, "cannot be read"});
     }
@@ -135,7 +136,8 @@ int runScript(const Options& options)
     const Outcome outcome = answerAll(script, piped ? std::cin : file, piped ? "stdin" : options.script);
 
     const io::Status written = writeFigures(
-        options.json, io::Value::Object{{"commands", outcome.commands}, {"failed", outcome.failed}, {"load_ms", milliseconds}});
+        options.json,
+        io::Value::Object{{"commands", outcome.commands}, {"failed", outcome.failed}, {"load_ms", milliseconds}});
     if (!written) return fault(written.error());
     return outcome.failed == 0 ? 0 : fault(outcome.first);
 }

@@ -10,6 +10,12 @@
 
 namespace app {
 namespace fs = std::filesystem;
+namespace {
+
+constexpr double kSlow = 0.1; // s a frame
+constexpr int kSlowInARow = 8;
+
+} // namespace
 
 EditView::EditView(const Options& options, renderer::Renderer& renderer, Settings& settings,
                    std::unique_ptr<editor::Document> document)
@@ -24,7 +30,9 @@ io::Status EditView::init()
     if (io::Status chosen = chooseLanguage(); !chosen) return chosen;
     editor::Host& host = *this;
     m_editor = std::make_unique<editor::Editor>(m_renderer, host);
-    applyQuality(m_options.quality.value_or(m_settings.quality()), m_renderer.deviceName(), m_editor->renderSettings);
+    const Quality quality = m_options.quality.value_or(m_settings.quality());
+    applyQuality(quality, m_renderer.deviceName(), m_editor->renderSettings);
+    if (quality == Quality::Auto) m_lower = Quality::Medium;
     applyToDrawing(m_options, m_editor->renderSettings); // its words were checked before
     openProject();
     lookAsAsked();
@@ -65,6 +73,17 @@ void EditView::lookAsAsked()
         m_editor->viewport().camera.setCamera(*camera);
     else
         io::log::warning("{}", camera.error().text());
+}
+
+void EditView::frameTook(double seconds)
+{
+    if (!m_lower || !m_editor->document()) return;
+    m_slowFrames = seconds > kSlow ? m_slowFrames + 1 : 0;
+    if (m_slowFrames < kSlowInARow) return;
+    m_slowFrames = 0;
+    io::log::info("a frame takes {:.0f} ms here: quality {}", seconds * 1e3, nameOf(*m_lower));
+    applyQuality(*m_lower, m_renderer.deviceName(), m_editor->renderSettings);
+    m_lower = *m_lower == Quality::Medium ? std::optional{Quality::Low} : std::nullopt;
 }
 
 void EditView::runImGui()
@@ -128,7 +147,8 @@ std::vector<fs::path> EditView::shippedWorlds() const
     std::vector<fs::path> worlds;
     std::error_code ignored;
     for (const char* name : {"valley", "forest-1", "forest-2", "forest-3"})
-        if (const fs::path folder = io::resource(std::string{"projects/"} + name); fs::exists(folder / "project.json", ignored))
+        if (const fs::path folder = io::resource(std::string{"projects/"} + name);
+            fs::exists(folder / "project.json", ignored))
             worlds.push_back(folder);
     return worlds;
 }

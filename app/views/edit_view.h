@@ -27,6 +27,7 @@ public:
     void burn() override;
 
     editor::Editor& editor() { return *m_editor; }
+    void frameTook(double seconds); // in the window: quality "auto" steps down while drawing is too slow to work with
     void openDropped(const std::vector<std::filesystem::path>& files); // a project dropped on the window
 
 private:
@@ -36,6 +37,7 @@ private:
     std::vector<std::filesystem::path> recentProjects() const override;
     void addRecentProject(const std::filesystem::path& project) override;
     std::vector<std::filesystem::path> shippedWorlds() const override;
+    bool loadsInBackground() const override { return m_options.replay.empty(); }
     io::Value settings() const override { return m_settings.editor(); }
     void saveSettings(const io::Value& settings) override;
 
@@ -50,6 +52,8 @@ private:
     std::string m_language = "en";
     std::unique_ptr<editor::Editor> m_editor;
     double m_seconds = 0;
+    std::optional<Quality> m_lower; // the next step down of "auto"
+    int m_slowFrames = 0;
 };
 
 } // namespace app

@@ -46,7 +46,8 @@ TEST_F(Commands, renderWritesEachKindOfPicture)
 
 TEST_F(Commands, renderAlongAPathNumbersItsPictures)
 {
-    const Ran ran = wold({"render", project, "--out", folder / "f.png", "--size", "32x18", "--frames", "0..2", "--path", "flight"});
+    const Ran ran =
+        wold({"render", project, "--out", folder / "f.png", "--size", "32x18", "--frames", "0..2", "--path", "flight"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     for (const char* name : {"f0000.png", "f0001.png", "f0002.png"})
         EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
@@ -81,7 +82,8 @@ TEST_F(Commands, setTimeAndQualityChangeThePicture)
 
 TEST_F(Commands, pickAnswersALineForEachPoint)
 {
-    const std::string points = folder.write("points", "# the middle crate, the sky, the ground\n80 50\n80 2\n\n20 85\n");
+    const std::string points =
+        folder.write("points", "# the middle crate, the sky, the ground\n80 50\n80 2\n\n20 85\n");
     const Ran ran = wold({"pick", project, "--points", points, "--size", "160x90", "--json", folder / "figures.json"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     const auto lines = linesOf(ran.out);
@@ -114,13 +116,15 @@ TEST_F(Commands, runAnswersEachLineAndSaves)
     for (const std::string& answer : answers)
         EXPECT_EQ(*json(answer).find("ok"), io::Value{true}) << answer;
     const auto lines = linesOf(textOf(project + "/scenes/main.scene.json"));
-    EXPECT_EQ(std::ranges::count_if(lines, [](const std::string& line) { return line.find("\"id\":7,") != line.npos; }), 1);
+    EXPECT_EQ(std::ranges::count_if(lines, [](const std::string& line) { return line.find("\"id\":7,") != line.npos; }),
+              1);
     EXPECT_EQ(number(json(wold({"info", project, "--json", "-"}).out), "objects"), 7);
 }
 
 TEST_F(Commands, aScriptWithAFailedCommandEndsWithOneAndNamesItsLine)
 {
-    const std::string script = folder.write("s.jsonl", "{\"do\": \"undo\"}\n{\"do\": \"place\", \"template\": \"house\", \"at\": [0,0,0]}\nnot json\n{\"do\": \"stats\"}\n");
+    const std::string script = folder.write("s.jsonl", "{\"do\": \"undo\"}\n{\"do\": \"place\", \"template\": "
+                                                       "\"house\", \"at\": [0,0,0]}\nnot json\n{\"do\": \"stats\"}\n");
     const Ran ran = wold({"run", project, script});
     const auto answers = linesOf(ran.out);
     ASSERT_EQ(answers.size(), 4u) << ran.out;
@@ -132,7 +136,8 @@ TEST_F(Commands, aScriptWithAFailedCommandEndsWithOneAndNamesItsLine)
 
 TEST_F(Commands, runDrawsPicturesAndSetsDrawing)
 {
-    const Ran ran = wold({"run", project, "-"}, R"({"do": "render", "out": ")" + folder / "s.png" + R"(", "size": [64, 36]}
+    const Ran ran =
+        wold({"run", project, "-"}, R"({"do": "render", "out": ")" + folder / "s.png" + R"(", "size": [64, 36]}
 {"do": "set", "key": "render.shadows", "value": "off"}
 {"do": "get", "key": "render.shadows"}
 )");
@@ -145,11 +150,13 @@ TEST_F(Commands, runDrawsPicturesAndSetsDrawing)
 
 TEST_F(Commands, benchReportsEveryFigure)
 {
-    const Ran ran = wold({"bench", project, "--frames", "5", "--warmup", "1", "--size", "64x36", "--json", "-", "--quiet"});
+    const Ran ran =
+        wold({"bench", project, "--frames", "5", "--warmup", "1", "--size", "64x36", "--json", "-", "--quiet"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     const io::Value figures = json(ran.out);
-    for (const char* key : {"median_ms", "p95_ms", "p99_ms", "load_ms", "first_frame_ms", "draw_calls", "triangles_submitted",
-                            "triangles_drawn", "instances", "instances_drawn", "grass_blades", "peak_rss_mb"})
+    for (const char* key :
+         {"median_ms", "p95_ms", "p99_ms", "load_ms", "first_frame_ms", "draw_calls", "triangles_submitted",
+          "triangles_drawn", "instances", "instances_drawn", "grass_blades", "peak_rss_mb"})
         EXPECT_GE(number(figures, key), 0) << key;
     EXPECT_EQ(figures.find("frames_ms")->asArray()->size(), 5u);
     EXPECT_EQ(number(figures, "instances"), 6);

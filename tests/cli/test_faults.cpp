@@ -15,9 +15,11 @@ TEST_F(Faults, wrongWordsEndWithTwo)
     expectMisuse(wold({"render", project}), "--out");
     expectMisuse(wold({"render", project, "--out", folder / "a.gif"}), ".png");
     expectMisuse(wold({"render", project, "--out", folder / "a.png", "--nonsense"}), "nonsense");
-    expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "environment.fog.densitty=1"}), "densitty");
+    expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "environment.fog.densitty=1"}),
+                 "densitty");
     expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "environment.time=noon"}), "noon");
-    expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "render.ao=on"}), "comes with a later release");
+    expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "render.ao=on"}),
+                 "comes with a later release");
     expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "colour=red"}), "colour");
     expectMisuse(wold({"play", project}), "comes with a later release");
     expectMisuse(wold({"edit", project, "--headless"}), "--replay");
@@ -30,7 +32,8 @@ TEST_F(Faults, aMissingProjectIsNamed)
         expectFault(wold({command, folder / "nowhere"}), "nowhere");
     expectFault(wold({"render", folder / "nowhere", "--out", folder / "a.png"}), "nowhere");
     expectFault(wold({"render", project, "--out", folder / "a.png", "--scene", "night"}), "night");
-    expectFault(wold({"render", project, "--out", folder / "a.png", "--camera", "roof"}), "front"); // and says what there is
+    expectFault(wold({"render", project, "--out", folder / "a.png", "--camera", "roof"}),
+                "front"); // and says what there is
     expectFault(wold({"render", project, "--out", folder / "a.png", "--frames", "0..1", "--path", "roof"}), "flight");
     expectFault(wold({"pick", project, "--points", folder / "nothing"}), "nothing");
     expectFault(wold({"run", project, folder / "nothing.jsonl"}), "nothing.jsonl");
@@ -83,9 +86,10 @@ TEST_F(Faults, imagesThatAreNoHeightMaps)
 TEST_F(Faults, aHugeHeaderIsRefusedWithoutReadingIt)
 {
     // A PNG of 60000 x 60000 pixels by its header, with nothing behind it.
-    const unsigned char png[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13, 'I', 'H', 'D', 'R', 0, 0, 0xea, 0x60,
-                                 0, 0, 0xea, 0x60, 16, 0, 0, 0, 0, 0x8a, 0x9c, 0x6f, 0x5b};
-    std::ofstream{project + "/terrain/ground.png", std::ios::binary | std::ios::trunc}.write(reinterpret_cast<const char*>(png), sizeof png);
+    const unsigned char png[] = {0x89, 'P',  'N',  'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13, 'I',  'H',  'D',  'R', 0,
+                                 0,    0xea, 0x60, 0,   0,    0xea, 0x60, 16,   0, 0, 0, 0,  0x8a, 0x9c, 0x6f, 0x5b};
+    std::ofstream{project + "/terrain/ground.png", std::ios::binary | std::ios::trunc}.write(
+        reinterpret_cast<const char*>(png), sizeof png);
     expectFault(wold({"check", project}), "ground.png");
 }
 
@@ -104,15 +108,16 @@ TEST_F(Faults, aPictureOfOnePixel)
 
 TEST_F(Faults, tooLittleMemoryIsSaid)
 {
-    const Ran ran = run({"prlimit", "--as=1500000000", WOLD_PROGRAM, "render", project, "--headless", "--size", "8000x8000", "--out",
-                         folder / "a.png", "--quiet", "--log", "off"});
+    const Ran ran = run({"prlimit", "--as=1500000000", WOLD_PROGRAM, "render", project, "--headless", "--size",
+                         "8000x8000", "--out", folder / "a.png", "--quiet", "--log", "off"});
     expectFault(ran, "memory");
 }
 
 TEST_F(Faults, pointsAreCheckedLineByLine)
 {
     for (const char* line : {"12", "a b", "1 2 3", "nan 1", "1e999 1"})
-        expectFault(wold({"pick", project, "--points", folder.write("points", std::string{"1 1\n"} + line + "\n")}), "points:2");
+        expectFault(wold({"pick", project, "--points", folder.write("points", std::string{"1 1\n"} + line + "\n")}),
+                    "points:2");
 }
 
 TEST_F(Faults, foldersPipesAndBinariesAreNoProjects)
@@ -137,7 +142,8 @@ TEST_F(Faults, brokenSettingsAreReportedAndSetAside)
 
 TEST_F(Faults, withoutOpenGl45TheMachineIsNamed)
 {
-    const Ran ran = test::wold({"render", project, "--out", folder / "a.png"}, "", {{"MESA_GL_VERSION_OVERRIDE", "3.3"}});
+    const Ran ran =
+        test::wold({"render", project, "--out", folder / "a.png"}, "", {{"MESA_GL_VERSION_OVERRIDE", "3.3"}});
     expectFault(ran, "OpenGL 4.5");
 }
 

@@ -63,11 +63,13 @@ struct Foreign : testing::Test {
     {
         if (data.empty() || !fs::exists(data / "heightmaps" / kMap))
             GTEST_SKIP() << "no test data at WOLD_TEST_DATA (" << data.string() << ")";
-        world.project = {.folder = project, .name = "Andes", .scenes = {{"main", "scenes/main.scene.json"}}, .start = "main"};
+        world.project = {
+            .folder = project, .name = "Andes", .scenes = {{"main", "scenes/main.scene.json"}}, .start = "main"};
         world.entry = world.project.scenes.front();
         world.environmentFile = "environments/andes.json";
         addGround();
-        addModels("kenney-city", {"building-small-a", "building-small-b", "building-garage", "grass-trees-tall"}, "Houses", 4);
+        addModels("kenney-city", {"building-small-a", "building-small-b", "building-garage", "grass-trees-tall"},
+                  "Houses", 4);
         addModels("proton-scatter", {"tree", "pine_tree", "bush", "large_rock", "small_rock"}, "Plants", 1);
         world.scene.exchange(std::vector<io::Camera>{{.name = "village", .eye = {0, 0, 0}}});
         const auto saved = io::saveWorld(world);
@@ -99,10 +101,11 @@ struct Foreign : testing::Test {
         for (const std::string& name : names) {
             fs::copy_file(source / (name + ".glb"), project / "models" / from / (name + ".glb"));
             world.project.templates.push_back(name);
-            world.scene.exchange(world.scene.templateSlot(name), io::Template{.name = name,
-                                                                              .category = category,
-                                                                              .model = "models/" + from + "/" + name + ".glb",
-                                                                              .scale = {scale, scale * 1.3f}});
+            world.scene.exchange(world.scene.templateSlot(name),
+                                 io::Template{.name = name,
+                                              .category = category,
+                                              .model = "models/" + from + "/" + name + ".glb",
+                                              .scale = {scale, scale * 1.3f}});
         }
         if (fs::exists(source / "Textures"))
             fs::copy(source / "Textures", project / "models" / from / "Textures", fs::copy_options::recursive);
@@ -158,7 +161,8 @@ TEST_F(Foreign, opensDrawsPicksPlacesSavesAndReadsAgain)
     EXPECT_GT(number(facts, "triangles"), 10'000);
 
     const fs::path picture = fs::path{WOLD_TEST_OUT} / "andes.png"; // kept, to be looked at
-    const Ran drawn = wold({"render", project.string(), "--view", view, "--out", picture.string(), "--size", "960x540", "--quiet"});
+    const Ran drawn =
+        wold({"render", project.string(), "--view", view, "--out", picture.string(), "--size", "960x540", "--quiet"});
     ASSERT_EQ(drawn.code, 0) << drawn.err;
     const auto image = io::readImage(picture);
     ASSERT_TRUE(image);
@@ -173,7 +177,8 @@ TEST_F(Foreign, opensDrawsPicksPlacesSavesAndReadsAgain)
     const auto added = runScript(fmt::format(R"({{"do": "view", "eye": [0, {}, 70], "yaw": 0, "pitch": -12, "fov": 60}}
 {{"do": "place", "template": "large_rock", "pixel": [320, 200]}}
 {{"do": "save"}}
-)", ground + 30));
+)",
+                                             ground + 30));
     const double id = number(added.at(1), "id");
     const auto rock = runScript(fmt::format(R"({{"do": "object", "id": {}}})", id));
     EXPECT_LT(std::abs(at(*rock.at(0).find("position"), 0) - at(*hit.find("position"), 0)), 1);

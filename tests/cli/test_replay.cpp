@@ -11,7 +11,8 @@ namespace {
 struct Replay : SmallWorld {
     Ran play(const std::string& events, std::vector<std::string> more = {})
     {
-        std::vector<std::string> words{"edit", project, "--replay", folder.write("events.jsonl", events), "--size", "1280x720", "--quiet"};
+        std::vector<std::string> words{"edit",   project,    "--replay", folder.write("events.jsonl", events),
+                                       "--size", "1280x720", "--quiet"};
         words.insert(words.end(), more.begin(), more.end());
         return wold(words);
     }
@@ -40,7 +41,8 @@ TEST_F(Replay, isTheSameEveryTime)
 TEST_F(Replay, aBrokenLineIsNamedBeforeAnythingIsOpened)
 {
     expectFault(play("{\"wait\": 1}\n{\"click\": [1]}\n"), "events.jsonl:2");
-    expectFault(play("{\"click\": {\"panel\": \"toolbar\", \"label\": \"Nowhere\"}}\n", {"--size", "320x200"}), "events.jsonl:1");
+    expectFault(play("{\"click\": {\"panel\": \"toolbar\", \"label\": \"Nowhere\"}}\n", {"--size", "320x200"}),
+                "events.jsonl:1");
 }
 
 // Where the camera of the small world sees a point of the ground, from the middle of the viewport.
@@ -52,12 +54,14 @@ std::string inView(double x, double y)
 TEST_F(Replay, selectsDragsPlacesUndoesAndSaves)
 {
     const std::string before = scene();
-    const std::string crate = inView(0, 13), handle = inView(60, 32), farther = inView(100, 32), ground = inView(-200, 100);
-    const Ran ran = play("{\"wait\": 2}\n{\"click\": " + crate + "}\n" +                                  // the third crate
-                         "{\"drag\": {\"from\": " + handle + ", \"to\": " + farther + ", \"mods\": [\"ctrl\"]}}\n" + // snapped: 2 m
-                         "{\"click\": {\"panel\": \"templates\", \"label\": \"crate\", \"kind\": \"template\"}}\n" +
-                         "{\"click\": " + ground + "}\n{\"wait\": 2}\n{\"uimap\": \"" + folder / "placed.json" + "\"}\n" +
-                         "{\"key\": \"Ctrl+Z\"}\n{\"wait\": 1}\n{\"key\": \"Ctrl+S\"}\n{\"wait\": 2}\n");
+    const std::string crate = inView(0, 13), handle = inView(60, 32), farther = inView(100, 32),
+                      ground = inView(-200, 100);
+    const Ran ran =
+        play("{\"wait\": 2}\n{\"click\": " + crate + "}\n" + // the third crate
+             "{\"drag\": {\"from\": " + handle + ", \"to\": " + farther + ", \"mods\": [\"ctrl\"]}}\n" + // snapped: 2 m
+             "{\"click\": {\"panel\": \"templates\", \"label\": \"crate\", \"kind\": \"template\"}}\n" +
+             "{\"click\": " + ground + "}\n{\"wait\": 2}\n{\"uimap\": \"" + folder / "placed.json" + "\"}\n" +
+             "{\"key\": \"Ctrl+Z\"}\n{\"wait\": 1}\n{\"key\": \"Ctrl+S\"}\n{\"wait\": 2}\n");
     ASSERT_EQ(ran.code, 0) << ran.err;
     std::string expected = before;
     const std::string third = R"({"id":3,"template":"crate","position":[0,0,0]})";
@@ -69,12 +73,14 @@ TEST_F(Replay, selectsDragsPlacesUndoesAndSaves)
 
 TEST_F(Replay, whatIsPlacedStandsWhereTheRayMeetsTheGround)
 {
-    const Ran ran = play("{\"wait\": 2}\n{\"uimap\": \"" + folder / "map.json" + "\"}\n" +
-                         "{\"click\": {\"panel\": \"templates\", \"label\": \"crate\", \"kind\": \"template\"}}\n" +
-                         "{\"click\": " + inView(-200, 100) + "}\n{\"wait\": 1}\n{\"key\": \"Ctrl+S\"}\n{\"wait\": 2}\n");
+    const Ran ran =
+        play("{\"wait\": 2}\n{\"uimap\": \"" + folder / "map.json" + "\"}\n" +
+             "{\"click\": {\"panel\": \"templates\", \"label\": \"crate\", \"kind\": \"template\"}}\n" +
+             "{\"click\": " + inView(-200, 100) + "}\n{\"wait\": 1}\n{\"key\": \"Ctrl+S\"}\n{\"wait\": 2}\n");
     ASSERT_EQ(ran.code, 0) << ran.err;
     const io::Value map = json(textOf(folder / "map.json"));
-    const auto viewport = std::ranges::find_if(*map.asArray(), [](const io::Value& item) { return text(item, "kind") == "viewport"; });
+    const auto viewport =
+        std::ranges::find_if(*map.asArray(), [](const io::Value& item) { return text(item, "kind") == "viewport"; });
     ASSERT_NE(viewport, map.asArray()->end());
     const auto side = [&](std::size_t i) { return int(*(*viewport->find("rect")->asArray())[i].asNumber()); };
     const std::string size = fmt::format("{}x{}", side(2), side(3));

@@ -4,7 +4,8 @@
 
 namespace test {
 
-Ran wold(std::vector<std::string> words, std::string input, std::vector<std::pair<std::string, std::string>> environment)
+Ran wold(std::vector<std::string> words, std::string input,
+         std::vector<std::pair<std::string, std::string>> environment)
 {
     static const Folder home;
     words.insert(words.begin(), WOLD_PROGRAM);

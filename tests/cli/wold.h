@@ -9,7 +9,8 @@
 
 namespace test {
 
-Ran wold(std::vector<std::string> words, std::string input = {}, std::vector<std::pair<std::string, std::string>> environment = {});
+Ran wold(std::vector<std::string> words, std::string input = {},
+         std::vector<std::pair<std::string, std::string>> environment = {});
 
 // stdout as JSON; fails the test when it is none.
 io::Value json(const std::string& text);

@@ -19,7 +19,8 @@ Difference compare(const io::Image& a, const io::Image& b)
         for (int x = 0; x < a.size.x; ++x) {
             int furthest = 0;
             for (int c = 0; c < 3; ++c) {
-                const int off = std::abs(a.row<std::uint8_t>(y)[x * a.channels + c] - b.row<std::uint8_t>(y)[x * b.channels + c]);
+                const int off =
+                    std::abs(a.row<std::uint8_t>(y)[x * a.channels + c] - b.row<std::uint8_t>(y)[x * b.channels + c]);
                 sum += off;
                 furthest = std::max(furthest, off);
                 result.picture.row<std::uint8_t>(y)[x * 3 + c] = std::uint8_t(std::min(255, off * 8));

@@ -56,7 +56,8 @@ void compareAt(const std::string& camera, const editor::Picker& picker, Tally& t
         ++tally.compared;
         tally.agreed += seen == picked;
         if (seen != picked)
-            tally.disagreements += fmt::format("\n  {} at {},{}: seen {:#x}, picked {:#x}", camera, pixel.x, pixel.y, seen, picked);
+            tally.disagreements +=
+                fmt::format("\n  {} at {},{}: seen {:#x}, picked {:#x}", camera, pixel.x, pixel.y, seen, picked);
     }
 }
 
@@ -67,8 +68,8 @@ TEST(Picking, findsWhatIsSeen)
     Tally tally;
     for (const io::Camera& camera : valley().document->scene().cameras())
         compareAt(camera.name, picker, tally);
-    fmt::print("picking: {} of {} agree, at silhouettes {} of {}{}\n", tally.agreed, tally.compared, tally.silhouettesAgreed,
-               tally.silhouettes, tally.disagreements);
+    fmt::print("picking: {} of {} agree, at silhouettes {} of {}{}\n", tally.agreed, tally.compared,
+               tally.silhouettesAgreed, tally.silhouettes, tally.disagreements);
     EXPECT_GE(tally.agreed, 0.99 * tally.compared) << tally.disagreements;
     EXPECT_GE(tally.compared, 300);
 }

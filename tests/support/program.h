@@ -10,7 +10,7 @@
 namespace test {
 
 struct Ran {
-    int code = -1;   // exit code; -1 when a signal or the time limit ended it
+    int code = -1; // exit code; -1 when a signal or the time limit ended it
     int signal = 0;
     std::string out, err;
 
@@ -18,7 +18,7 @@ struct Ran {
 };
 
 struct RunOptions {
-    std::string input;                                        // stdin
+    std::string input;                                            // stdin
     std::vector<std::pair<std::string, std::string>> environment; // added; an empty value removes
     int seconds = 120;
 };

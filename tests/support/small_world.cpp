@@ -10,8 +10,7 @@ namespace {
 
 constexpr int kSide = 65; // texels, 1 m apart
 
-template <class T>
-T must(io::Result<T> result)
+template <class T> T must(io::Result<T> result)
 {
     EXPECTS(result);
     return *std::move(result);
@@ -54,9 +53,10 @@ void addObject(io::World& world, const char* of, glm::dvec3 position)
 
 void makeSmallWorld(const fs::path& folder)
 {
-    io::World world{.project = {.folder = folder, .name = "Small", .scenes = {{"main", "scenes/main.scene.json"}}, .start = "main"},
-                    .entry = {"main", "scenes/main.scene.json"},
-                    .environmentFile = "environments/day.json"};
+    io::World world{
+        .project = {.folder = folder, .name = "Small", .scenes = {{"main", "scenes/main.scene.json"}}, .start = "main"},
+        .entry = {"main", "scenes/main.scene.json"},
+        .environmentFile = "environments/day.json"};
     addTemplate(world, {.name = "crate", .category = "Things", .model = "models/crate.glb", .yaw = {0, 0}});
     addTemplate(world, {.name = "post", .category = "Markers", .markerSize = {0.5f, 2, 0.5f}, .yaw = {0, 0}});
     for (int i = 0; i < 5; ++i)
@@ -66,7 +66,8 @@ void makeSmallWorld(const fs::path& folder)
     terrain.layers.push_back({.name = "grass", .colour = {0.10f, 0.18f, 0.05f}});
     world.scene.exchange(terrain);
     world.scene.exchange(std::vector<io::Camera>{{.name = "front", .eye = {0, 4, 16}, .pitch = -8}});
-    world.scene.exchange(std::vector<io::CameraPath>{{.name = "flight", .keys = {{0, {0, 4, 16}, 0, -8}, {1, {6, 5, 16}, 20, -10}}}});
+    world.scene.exchange(
+        std::vector<io::CameraPath>{{.name = "flight", .keys = {{0, {0, 4, 16}, 0, -8}, {1, {6, 5, 16}, 20, -10}}}});
     write(folder / "models/crate.glb", must(io::encodeGlb(io::boxModel(glm::vec3{2}, {0.6f, 0.35f, 0.15f, 1}))));
     write(folder / "terrain/ground.png", must(io::encodePng(heights())));
     EXPECTS(io::saveWorld(world));

@@ -22,12 +22,12 @@ TEST(DrawingSettings, whatComesLaterMayBeSetToWhatIsTrueNow)
 {
     renderer::Settings s;
     for (const auto& [key, now, later] : std::vector<std::array<const char*, 3>>{{"ao", "off", "on"},
-                                                                                {"grass", "off", "on"},
-                                                                                {"occlusion", "off", "on"},
-                                                                                {"lod", "off", "on"},
-                                                                                {"bloom", "off", "on"},
-                                                                                {"wind", "off", "on"},
-                                                                                {"terrain", "grid", "tessellation"}}) {
+                                                                                 {"grass", "off", "on"},
+                                                                                 {"occlusion", "off", "on"},
+                                                                                 {"lod", "off", "on"},
+                                                                                 {"bloom", "off", "on"},
+                                                                                 {"wind", "off", "on"},
+                                                                                 {"terrain", "grid", "tessellation"}}) {
         EXPECT_TRUE(setDrawing(s, key, now)) << key;
         const io::Status refused = setDrawing(s, key, later);
         ASSERT_FALSE(refused) << key;

@@ -73,7 +73,8 @@ TEST(Options, theLastOfARepeatedOptionCounts)
 
 TEST(Options, framesAndShow)
 {
-    const Options o = parsed({"render", "p", "--out", "a.png", "--frames", "3..9", "--path", "flight", "--show", "depth"});
+    const Options o =
+        parsed({"render", "p", "--out", "a.png", "--frames", "3..9", "--path", "flight", "--show", "depth"});
     EXPECT_EQ(o.range->first, 3);
     EXPECT_EQ(o.range->last, 9);
     EXPECT_EQ(o.show, renderer::Show::Depth);
@@ -82,7 +83,7 @@ TEST(Options, framesAndShow)
 TEST(Options, wrongWordsEndWithTwoAndSayWhat)
 {
     const std::vector<std::vector<std::string>> calls{
-        {"render", "p"},                                             // no --out
+        {"render", "p"}, // no --out
         {"render", "p", "--out", "a.png", "--size", "0x10"},
         {"render", "p", "--out", "a.png", "--size", "99999x99999"},
         {"render", "p", "--out", "a.png", "--size", "12"},
@@ -98,7 +99,7 @@ TEST(Options, wrongWordsEndWithTwoAndSayWhat)
         {"render", "p", "--out", "a.png", "--nonsense"},
         {"pick", "p"},
         {"run", "p"},
-        {"edit", "p", "--shot", "a.png"},                             // without a replay
+        {"edit", "p", "--shot", "a.png"}, // without a replay
         {"bench", "p", "--frames", "-3"},
         {"new"},
     };

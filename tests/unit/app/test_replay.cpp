@@ -29,13 +29,16 @@ Seen played(std::string_view text)
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     Seen seen;
-    Player player{stepsOf(text), "r.jsonl",
-                  {.shot = [&](const auto& file) { return seen.frames.push_back("shot " + file.string()), io::Status{}; },
-                   .uiMap = [&](const auto&) { return io::Status{}; },
-                   .resize = [&](glm::ivec2) { seen.frames.push_back("resize"); }}};
+    Player player{
+        stepsOf(text),
+        "r.jsonl",
+        {.shot = [&](const auto& file) { return seen.frames.push_back("shot " + file.string()), io::Status{}; },
+         .uiMap = [&](const auto&) { return io::Status{}; },
+         .resize = [&](glm::ivec2) { seen.frames.push_back("resize"); }}};
     while (*player.feed(io)) {
         std::string frame;
-        if (ImGui::IsMousePosValid(&io.MousePos)) frame = std::to_string(int(io.MousePos.x)) + "," + std::to_string(int(io.MousePos.y));
+        if (ImGui::IsMousePosValid(&io.MousePos))
+            frame = std::to_string(int(io.MousePos.x)) + "," + std::to_string(int(io.MousePos.y));
         if (io.MouseDown[0]) frame += " L";
         if (io.MouseDown[1]) frame += " R";
         if (io.KeyCtrl) frame += " ctrl";
@@ -74,7 +77,8 @@ TEST(Replay, waitsCountFramesAndShotsTakeNone)
 TEST(Replay, aMissingWidgetIsNamedWithItsLine)
 {
     ImGui::CreateContext();
-    Player player{stepsOf("{\"wait\": 1}\n{\"click\": {\"panel\": \"toolbar\", \"label\": \"Nowhere\"}}"), "r.jsonl", {}};
+    Player player{
+        stepsOf("{\"wait\": 1}\n{\"click\": {\"panel\": \"toolbar\", \"label\": \"Nowhere\"}}"), "r.jsonl", {}};
     std::optional<io::Error> fault;
     for (int i = 0; i < 1000 && !fault; ++i)
         if (const auto more = player.feed(ImGui::GetIO()); !more) fault = more.error();
@@ -87,12 +91,29 @@ TEST(Replay, aMissingWidgetIsNamedWithItsLine)
 TEST(Replay, aBrokenLineIsNamed)
 {
     EXPECT_TRUE(faultOf("{\"wait\": 1}\n{\"wait\": ").starts_with("r.jsonl:2: "));
-    for (const char* line : {"[1,2]", "{}", "7", R"({"jump": 1})", R"({"move": [1]})", R"({"move": ["a", 2]})", R"({"wait": -1})",
-                             R"({"wait": 1.5})", R"({"wait": 1e9})", R"({"key": "Hyper+S"})", R"({"key": ""})", R"({"press": "third"})",
-                             R"({"click": [1,2], "colour": 3})", R"({"click": {"wrong": "x"}})", R"({"click": {}})",
-                             R"({"drag": {"from": [0,0]}})", R"({"drag": {"from": [0,0], "to": [1,1], "steps": 0}})",
-                             R"({"size": [0, 10]})", R"({"size": [1e9, 10]})", R"({"shot": 3})", R"({"mods": []})",
-                             R"({"click": [1,2], "mods": ["hyper"]})", R"({"click": [1,2], "mods": "ctrl"})"})
+    for (const char* line : {"[1,2]",
+                             "{}",
+                             "7",
+                             R"({"jump": 1})",
+                             R"({"move": [1]})",
+                             R"({"move": ["a", 2]})",
+                             R"({"wait": -1})",
+                             R"({"wait": 1.5})",
+                             R"({"wait": 1e9})",
+                             R"({"key": "Hyper+S"})",
+                             R"({"key": ""})",
+                             R"({"press": "third"})",
+                             R"({"click": [1,2], "colour": 3})",
+                             R"({"click": {"wrong": "x"}})",
+                             R"({"click": {}})",
+                             R"({"drag": {"from": [0,0]}})",
+                             R"({"drag": {"from": [0,0], "to": [1,1], "steps": 0}})",
+                             R"({"size": [0, 10]})",
+                             R"({"size": [1e9, 10]})",
+                             R"({"shot": 3})",
+                             R"({"mods": []})",
+                             R"({"click": [1,2], "mods": ["hyper"]})",
+                             R"({"click": [1,2], "mods": "ctrl"})"})
         EXPECT_TRUE(faultOf(line).starts_with("r.jsonl:1: ")) << line << " -> " << faultOf(line);
 }
 
