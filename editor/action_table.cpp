@@ -39,8 +39,10 @@ void pasteClipboard(Editor& e)
     io::Status done;
     e.step("undo.paste", [&](Document& d) {
         auto pasted = paste(d, text, at);
-        if (pasted) made = std::move(*pasted);
-        else done = pasted.error();
+        if (pasted)
+            made = std::move(*pasted);
+        else
+            done = pasted.error();
     });
     if (!done) return e.toasts().add(io::log::Level::Warning, trf("message.cannot_paste", done.error().what));
     select(e, made);
@@ -110,7 +112,8 @@ std::string nextRedo(Editor& e)
 bool hasGroup(Editor& e)
 {
     for (const io::ObjectId id : e.selection().ids())
-        if (const io::Object* o = e.document()->scene().find(id); o && o->templateId == io::TemplateId::None) return true;
+        if (const io::Object* o = e.document()->scene().find(id); o && o->templateId == io::TemplateId::None)
+            return true;
     return false;
 }
 
@@ -130,16 +133,23 @@ void place(Editor& e)
 void fileActions(Actions& a, Editor& e)
 {
     const auto open = [&e] { return e.document() != nullptr; };
-    a.add({.id = "new", .icon = Icon::New, .keys = ctrl(Key::N),
-           .run = [&e] { e.dialogs().askToSave(e, [&e] { e.dialogs().showNew(); }); }});
-    a.add({.id = "open", .icon = Icon::Open, .keys = ctrl(Key::O),
-           .run = [&e] { e.dialogs().askToSave(e, [&e] { e.dialogs().showOpen(e); }); }});
+    a.add({.id = "new", .icon = Icon::New, .keys = ctrl(Key::N), .run = [&e] {
+               e.dialogs().askToSave(e, [&e] { e.dialogs().showNew(); });
+           }});
+    a.add({.id = "open", .icon = Icon::Open, .keys = ctrl(Key::O), .run = [&e] {
+               e.dialogs().askToSave(e, [&e] { e.dialogs().showOpen(e); });
+           }});
     a.add({.id = "save", .icon = Icon::Save, .keys = ctrl(Key::S), .run = [&e] { e.save(); }, .enabled = open});
     a.add({.id = "save_as", .keys = ctrlShift(Key::S), .run = [&e] { e.dialogs().showSaveAs(e); }, .enabled = open});
-    a.add({.id = "revert", .icon = Icon::Reset, .run = [&e] { askToRevert(e); },
+    a.add({.id = "revert",
+           .icon = Icon::Reset,
+           .run = [&e] { askToRevert(e); },
            .enabled = [&e] { return e.document() && e.document()->modified(); }});
-    a.add({.id = "close", .icon = Icon::Home, .keys = ctrl(Key::W),
-           .run = [&e] { e.dialogs().askToSave(e, [&e] { e.closeProject(); }); }, .enabled = open});
+    a.add({.id = "close",
+           .icon = Icon::Home,
+           .keys = ctrl(Key::W),
+           .run = [&e] { e.dialogs().askToSave(e, [&e] { e.closeProject(); }); },
+           .enabled = open});
     a.add({.id = "quit", .keys = ctrl(Key::Q), .run = [&e] { e.requestClose(); }});
 }
 
@@ -147,39 +157,77 @@ void editActions(Actions& a, Editor& e)
 {
     const auto open = [&e] { return e.document() != nullptr; };
     const auto any = [&e] { return e.document() && !e.selection().empty(); };
-    a.add({.id = "undo", .icon = Icon::Undo, .keys = ctrl(Key::Z), .run = [&e] { undo(e); },
+    a.add({.id = "undo",
+           .icon = Icon::Undo,
+           .keys = ctrl(Key::Z),
+           .run = [&e] { undo(e); },
            .enabled = [&e] { return e.document() && e.document()->history().canUndo(); },
-           .detail = [&e] { return nextUndo(e); }, .repeats = true});
-    a.add({.id = "redo", .icon = Icon::Redo, .keys = ctrlShift(Key::Z), .otherKeys = ctrl(Key::Y),
+           .detail = [&e] { return nextUndo(e); },
+           .repeats = true});
+    a.add({.id = "redo",
+           .icon = Icon::Redo,
+           .keys = ctrlShift(Key::Z),
+           .otherKeys = ctrl(Key::Y),
            .run = [&e] { e.document()->redo(); },
            .enabled = [&e] { return e.document() && e.document()->history().canRedo(); },
-           .detail = [&e] { return nextRedo(e); }, .repeats = true});
-    a.add({.id = "cut", .keys = ctrl(Key::X), .run = [&e] { copySelected(e), removeSelected(e, "undo.cut"); }, .enabled = any});
+           .detail = [&e] { return nextRedo(e); },
+           .repeats = true});
+    a.add({.id = "cut",
+           .keys = ctrl(Key::X),
+           .run = [&e] { copySelected(e), removeSelected(e, "undo.cut"); },
+           .enabled = any});
     a.add({.id = "copy", .icon = Icon::Copy, .keys = ctrl(Key::C), .run = [&e] { copySelected(e); }, .enabled = any});
     a.add({.id = "paste", .keys = ctrl(Key::V), .run = [&e] { pasteClipboard(e); }, .enabled = open});
-    a.add({.id = "duplicate", .icon = Icon::Copy, .keys = ctrl(Key::D), .run = [&e] { duplicateSelected(e); }, .enabled = any});
-    a.add({.id = "delete", .icon = Icon::Trash, .keys = {.key = Key::Delete}, .run = [&e] { removeSelected(e, "undo.delete"); }, .enabled = any});
-    a.add({.id = "select_all", .keys = ctrl(Key::A),
-           .run = [&e] { e.selection().set(allObjects(e.document()->scene(), e.document()->hierarchy())); }, .enabled = open});
+    a.add({.id = "duplicate",
+           .icon = Icon::Copy,
+           .keys = ctrl(Key::D),
+           .run = [&e] { duplicateSelected(e); },
+           .enabled = any});
+    a.add({.id = "delete",
+           .icon = Icon::Trash,
+           .keys = {.key = Key::Delete},
+           .run = [&e] { removeSelected(e, "undo.delete"); },
+           .enabled = any});
+    a.add({.id = "select_all",
+           .keys = ctrl(Key::A),
+           .run = [&e] { e.selection().set(allObjects(e.document()->scene(), e.document()->hierarchy())); },
+           .enabled = open});
     a.add({.id = "select_none", .keys = ctrlShift(Key::A), .run = [&e] { e.selection().clear(); }, .enabled = any});
-    a.add({.id = "invert", .keys = ctrl(Key::I),
-           .run = [&e] { e.selection().set(inverted(e.document()->scene(), e.document()->hierarchy(), e.selection())); }, .enabled = open});
-    a.add({.id = "select_same", .keys = {.key = Key::G, .shift = true},
-           .run = [&e] { e.selection().set(sameTemplate(e.document()->scene(), selected(e))); }, .enabled = any});
-    a.add({.id = "group", .icon = Icon::Group, .keys = ctrl(Key::G), .run = [&e] { groupSelected(e); }, .enabled = any});
-    a.add({.id = "ungroup", .keys = ctrlShift(Key::G), .run = [&e] { ungroupSelected(e); }, .enabled = [any, &e] { return any() && hasGroup(e); }});
+    a.add(
+        {.id = "invert",
+         .keys = ctrl(Key::I),
+         .run = [&e] { e.selection().set(inverted(e.document()->scene(), e.document()->hierarchy(), e.selection())); },
+         .enabled = open});
+    a.add({.id = "select_same",
+           .keys = {.key = Key::G, .shift = true},
+           .run = [&e] { e.selection().set(sameTemplate(e.document()->scene(), selected(e))); },
+           .enabled = any});
+    a.add(
+        {.id = "group", .icon = Icon::Group, .keys = ctrl(Key::G), .run = [&e] { groupSelected(e); }, .enabled = any});
+    a.add({.id = "ungroup",
+           .keys = ctrlShift(Key::G),
+           .run = [&e] { ungroupSelected(e); },
+           .enabled = [any, &e] { return any() && hasGroup(e); }});
 }
 
 void viewActions(Actions& a, Editor& e)
 {
     const auto open = [&e] { return e.document() != nullptr; };
-    a.add({.id = "frame", .icon = Icon::Frame, .keys = {.key = Key::F}, .run = [&e] { e.viewport().frameSelection(e); }, .enabled = open});
+    a.add({.id = "frame",
+           .icon = Icon::Frame,
+           .keys = {.key = Key::F},
+           .run = [&e] { e.viewport().frameSelection(e); },
+           .enabled = open});
     a.add({.id = "store_camera", .icon = Icon::Plus, .run = [&e] { storeCamera(e); }, .enabled = open});
-    a.add({.id = "overlays", .keys = {.key = Key::F1}, .run = [&e] { e.viewport().showOverlays = !e.viewport().showOverlays; },
+    a.add({.id = "overlays",
+           .keys = {.key = Key::F1},
+           .run = [&e] { e.viewport().showOverlays = !e.viewport().showOverlays; },
            .checked = [&e] { return e.viewport().showOverlays; }});
     a.add({.id = "rendering", .run = [&e] { e.workspace().bringToFront("rendering"); }});
     a.add({.id = "reset_layout", .icon = Icon::Reset, .run = [&e] { e.workspace().reset(); }});
-    a.add({.id = "reload_shaders", .keys = {.key = Key::F5}, .run = [&e] { e.renderer()->reloadShaders(); },
+    a.add({.id = "reload_shaders",
+           .keys = {.key = Key::F5},
+           .run = [&e] { e.renderer()->reloadShaders(); },
            .enabled = [&e] { return e.renderer() != nullptr; }});
     a.add({.id = "keys", .icon = Icon::Info, .run = [&e] { e.dialogs().showKeys(); }});
 }
@@ -189,30 +237,57 @@ void toolActions(Actions& a, Editor& e)
     const auto open = [&e] { return e.document() != nullptr; };
     const auto any = [&e] { return e.document() && !e.selection().empty(); };
     const auto tool = [&](std::string_view id, Icon icon, Key key, Key digit, GizmoMode mode) {
-        a.add({.id = id, .icon = icon, .keys = {.key = key}, .otherKeys = {.key = digit}, .run = [&e, mode] { chooseTool(e, mode); },
+        a.add({.id = id,
+               .icon = icon,
+               .keys = {.key = key},
+               .otherKeys = {.key = digit},
+               .run = [&e, mode] { chooseTool(e, mode); },
                .checked = [&e, mode] { return e.viewport().gizmoShown && e.viewport().gizmo.mode == mode; }});
     };
-    a.add({.id = "tool_select", .icon = Icon::Select, .keys = {.key = Key::Q}, .run = [&e] { e.viewport().gizmoShown = false; },
+    a.add({.id = "tool_select",
+           .icon = Icon::Select,
+           .keys = {.key = Key::Q},
+           .run = [&e] { e.viewport().gizmoShown = false; },
            .checked = [&e] { return !e.viewport().gizmoShown; }});
     tool("tool_move", Icon::Translate, Key::W, Key::Digit1, GizmoMode::Translate);
     tool("tool_rotate", Icon::Rotate, Key::E, Key::Digit2, GizmoMode::Rotate);
     tool("tool_scale", Icon::Scale, Key::R, Key::Digit3, GizmoMode::Scale);
-    a.add({.id = "space", .icon = Icon::Local, .keys = {.key = Key::X},
-           .run = [&e] {
-               GizmoSpace& space = e.viewport().gizmo.space;
-               space = space == GizmoSpace::World ? GizmoSpace::Local : GizmoSpace::World;
-           },
+    a.add({.id = "space",
+           .icon = Icon::Local,
+           .keys = {.key = Key::X},
+           .run =
+               [&e] {
+                   GizmoSpace& space = e.viewport().gizmo.space;
+                   space = space == GizmoSpace::World ? GizmoSpace::Local : GizmoSpace::World;
+               },
            .checked = [&e] { return e.viewport().gizmo.space == GizmoSpace::Local; }});
-    a.add({.id = "snap", .icon = Icon::Snap, .keys = {.key = Key::N}, .run = [&e] { e.viewport().snapping = !e.viewport().snapping; },
+    a.add({.id = "snap",
+           .icon = Icon::Snap,
+           .keys = {.key = Key::N},
+           .run = [&e] { e.viewport().snapping = !e.viewport().snapping; },
            .checked = [&e] { return e.viewport().snapping; }});
-    a.add({.id = "place", .icon = Icon::Place, .keys = {.key = Key::P}, .run = [&e] { place(e); }, .enabled = open,
+    a.add({.id = "place",
+           .icon = Icon::Place,
+           .keys = {.key = Key::P},
+           .run = [&e] { place(e); },
+           .enabled = open,
            .checked = [&e] { return e.viewport().placing() != io::TemplateId::None; }});
-    a.add({.id = "place_camera", .icon = Icon::PlaceHere, .keys = {.key = Key::P, .shift = true},
+    a.add({.id = "place_camera",
+           .icon = Icon::PlaceHere,
+           .keys = {.key = Key::P, .shift = true},
            .run = [&e] { e.viewport().placeAtCamera(e, e.chosenTemplate); },
            .enabled = [&e] { return e.document() && e.document()->scene().find(e.chosenTemplate); }});
-    a.add({.id = "drop", .icon = Icon::Drop, .keys = {.key = Key::End}, .run = [&e] { drop(e, DropTurn::Keep); }, .enabled = any});
-    a.add({.id = "drop_align", .keys = {.key = Key::End, .shift = true}, .run = [&e] { drop(e, DropTurn::Align); }, .enabled = any});
-    a.add({.id = "pick_boxes", .run = [&e] { e.picker().setBoxesOnly(!e.picker().boxesOnly()); },
+    a.add({.id = "drop",
+           .icon = Icon::Drop,
+           .keys = {.key = Key::End},
+           .run = [&e] { drop(e, DropTurn::Keep); },
+           .enabled = any});
+    a.add({.id = "drop_align",
+           .keys = {.key = Key::End, .shift = true},
+           .run = [&e] { drop(e, DropTurn::Align); },
+           .enabled = any});
+    a.add({.id = "pick_boxes",
+           .run = [&e] { e.picker().setBoxesOnly(!e.picker().boxesOnly()); },
            .checked = [&e] { return e.picker().boxesOnly(); }});
 }
 

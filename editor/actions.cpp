@@ -65,7 +65,8 @@ void Actions::menuItem(std::string_view id) const
 {
     const Action& action = at(id);
     const std::string keys = name(action.keys);
-    if (ui::menuItem(text(action).c_str(), keys.empty() ? nullptr : keys.c_str(), isChecked(action), isEnabled(action), action.icon))
+    if (ui::menuItem(text(action).c_str(), keys.empty() ? nullptr : keys.c_str(), isChecked(action), isEnabled(action),
+                     action.icon))
         action.run();
 }
 
@@ -75,15 +76,20 @@ void Actions::toolButton(std::string_view id) const
     std::string tip = text(action);
     if (const std::string keys = name(action.keys); !keys.empty()) tip += "   " + keys;
     const std::string widget{id};
-    if (ui::iconButton({.id = widget.c_str(), .icon = action.icon, .label = tr("action." + widget), .tooltip = tip,
-                        .on = isChecked(action), .enabled = isEnabled(action)}))
+    if (ui::iconButton({.id = widget.c_str(),
+                        .icon = action.icon,
+                        .label = tr("action." + widget),
+                        .tooltip = tip,
+                        .on = isChecked(action),
+                        .enabled = isEnabled(action)}))
         action.run();
 }
 
 void Actions::shortcuts() const
 {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
+    if (io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+        return;
     for (const Action& action : m_actions)
         if (keysPressed(action) && isEnabled(action)) return action.run();
 }

@@ -13,15 +13,15 @@
 namespace editor {
 
 struct Action {
-    std::string_view id;   // "save"; its text is tr("action.save")
+    std::string_view id; // "save"; its text is tr("action.save")
     Icon icon = Icon::None;
     Chord keys = {};
     Chord otherKeys = {};
     std::function<void()> run;
-    std::function<bool()> enabled = {};    // none: always
-    std::function<bool()> checked = {};    // none: never
+    std::function<bool()> enabled = {};       // none: always
+    std::function<bool()> checked = {};       // none: never
     std::function<std::string()> detail = {}; // added to the text: "Undo Move"
-    bool repeats = false;                  // while the key is held
+    bool repeats = false;                     // while the key is held
 };
 
 class Actions {

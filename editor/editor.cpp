@@ -13,7 +13,6 @@
 #include "editor/start_page.h"
 #include "editor/text.h"
 #include "editor/theme.h"
-#include "editor/theme.h"
 #include "editor/ui_map.h"
 
 #include <imgui_internal.h>
@@ -78,7 +77,19 @@ void Editor::saveLayout()
 
 bool Editor::open(const std::filesystem::path& project, std::string_view scene)
 {
-    auto opened = Document::open(project, scene);
+    return adoptOpened(Document::open(project, scene));
+}
+
+void Editor::openLater(const std::filesystem::path& project, const std::string& scene)
+{
+    if (!m_host.loadsInBackground())
+        open(project, scene);
+    else if (!m_loading.running())
+        m_loading.start(project, scene);
+}
+
+bool Editor::adoptOpened(Loading::Opened opened)
+{
     if (!opened) {
         io::log::error("{}", opened.error().text());
         m_dialogs.showMessage(tr("message.cannot_open"), opened.error().text());
@@ -102,9 +113,11 @@ void Editor::adopt(std::unique_ptr<Document> document)
     for (const io::Complaint& complaint : m_document->complaints()) {
         const bool grave = complaint.severity == io::Severity::Error;
         errors += grave;
-        io::log::write(grave ? io::log::Level::Error : io::log::Level::Warning, complaint.where + ": " + complaint.what);
+        io::log::write(grave ? io::log::Level::Error : io::log::Level::Warning,
+                       complaint.where + ": " + complaint.what);
     }
-    io::log::info("{}", trf("message.opened", m_document->project().name, grouped(m_document->scene().objects().size())));
+    io::log::info("{}",
+                  trf("message.opened", m_document->project().name, grouped(m_document->scene().objects().size())));
     if (errors) m_toasts.add(io::log::Level::Warning, trf("message.opened_with_errors", errors));
 }
 
@@ -196,7 +209,8 @@ void Editor::follow()
     m_selection.follow(m_document->scene(), changes);
     m_picker.update(m_document->scene(), m_document->assets(), changes);
     if (m_renderer) m_renderer->update(m_document->scene(), m_document->assets(), changes);
-    for (const std::unique_ptr<Panel>& panel : m_panels) panel->follow(*m_document, changes);
+    for (const std::unique_ptr<Panel>& panel : m_panels)
+        panel->follow(*m_document, changes);
 }
 
 void Editor::frame(double seconds)
@@ -209,6 +223,8 @@ void Editor::frame(double seconds)
     closeMenusByEscape();
     drawWindow();
     m_dialogs.draw(*this);
+    m_loading.draw();
+    if (auto opened = m_loading.finished()) adoptOpened(std::move(*opened));
     m_toasts.draw(seconds);
     if (!ImGui::IsAnyItemActive()) endEdit();
     noteActivity(seconds);
@@ -237,9 +253,11 @@ void Editor::noteActivity(double seconds)
 {
     const ImGuiIO& io = ImGui::GetIO();
     bool active = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || ImGui::IsAnyItemActive();
-    for (const bool down : io.MouseDown) active |= down;
-    for (const bool down : io.KeysDown) active |= down;
-    active |= m_viewport.busy() || !m_toasts.empty();
+    for (const bool down : io.MouseDown)
+        active |= down;
+    for (const bool down : io.KeysDown)
+        active |= down;
+    active |= m_viewport.busy() || !m_toasts.empty() || m_loading.running();
     m_quiet = active ? 0 : m_quiet + seconds;
 }
 

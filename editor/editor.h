@@ -1,11 +1,13 @@
 // Editor: the whole content of the window, once a frame: menus, toolbar, panels, viewport, dialogs. It owns the open
-// document and everything a person does with it; who opens the window, feeds ImGuiIO and shows its draw data is the host.
+// document and everything a person does with it; who opens the window, feeds ImGuiIO and shows its draw data is the
+// host.
 #pragma once
 
 #include "editor/actions.h"
 #include "editor/dialogs/dialogs.h"
 #include "editor/document.h"
 #include "editor/host.h"
+#include "editor/loading.h"
 #include "editor/picker.h"
 #include "editor/selection.h"
 #include "editor/toasts.h"
@@ -37,17 +39,19 @@ public:
     // Opens a project in place of the one that is open (asking about changes is the caller's). What cannot be opened
     // is said in a dialog and in the log, and what was open stays open.
     bool open(const std::filesystem::path& project, std::string_view scene = {});
+    // The same as a person asks for it: where the host allows, in the background with a dialog that can cancel it.
+    void openLater(const std::filesystem::path& project, const std::string& scene = {});
     void adopt(std::unique_ptr<Document> document);
     void closeProject(); // back to the start page
     bool save();
     bool saveAs(const std::filesystem::path& folder);
     void revert(); // to what is on disk
 
-    std::string title() const;            // "Valley – main * – Wold"
-    void requestClose();                  // as by the window's cross: asks when there are unsaved changes
+    std::string title() const; // "Valley – main * – Wold"
+    void requestClose();       // as by the window's cross: asks when there are unsaved changes
     bool wantsClose() const { return m_wantsClose; }
     bool pointerHidden() const { return m_viewport.pointerHidden(); } // while looking around: hide and hold it
-    bool needsFrame() const;              // something moves or was just touched; otherwise the picture would be the same
+    bool needsFrame() const; // something moves or was just touched; otherwise the picture would be the same
 
     Document* document() { return m_document.get(); } // null: the start page
     const Document* document() const { return m_document.get(); }
@@ -81,6 +85,7 @@ public:
 
 private:
     Editor(renderer::Renderer* renderer, Host& host);
+    bool adoptOpened(Loading::Opened opened);
     void addPanels();
     void restoreSettings();
     void closeMenusByEscape();
@@ -99,6 +104,7 @@ private:
     Actions m_actions;
     Dialogs m_dialogs;
     Toasts m_toasts;
+    Loading m_loading;
     io::Value m_savedSettings;
     std::string m_editing;
     double m_time = 0;

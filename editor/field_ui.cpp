@@ -98,13 +98,16 @@ bool FieldUi::resetButton(const Row& row)
 {
     if (m_options.defaults.empty() || !row.differs || !row.enabled) return false;
     ImGui::SameLine(0, 1);
-    return ui::iconButton({.id = "reset", .icon = Icon::Reset, .label = trf("common.reset_field", row.label), .size = ImGui::GetFrameHeight(),
+    return ui::iconButton({.id = "reset",
+                           .icon = Icon::Reset,
+                           .label = trf("common.reset_field", row.label),
+                           .size = ImGui::GetFrameHeight(),
                            .colour = palette::kSoftText});
 }
 
-void FieldUi::note(const Row& row, std::size_t place, Scalar value, double delta, bool relative)
+void FieldUi::note(const Row& row, ScalarChange change)
 {
-    m_changes.push_back({place, std::move(value), delta, relative});
+    m_changes.push_back(std::move(change));
     m_changedKey = row.key;
     m_changedLabel = row.label;
 }
@@ -115,11 +118,12 @@ bool FieldUi::choice(const char* key, const std::vector<std::string_view>& names
     if (!beginRow(row, key, 1)) return false;
     row.differs = !m_options.defaults.empty() && m_options.defaults[row.place] != Scalar{double(chosen)};
     std::vector<std::string> items;
-    for (const std::string_view name : names) items.emplace_back(tr("value." + std::string{name}));
+    for (const std::string_view name : names)
+        items.emplace_back(tr("value." + std::string{name}));
     if (!m_options.defaults.empty()) ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - kResetWidth);
     bool changed = ui::combo("##value", row.label, items, chosen, isMixed(row.place));
     if (resetButton(row)) chosen = int(std::get<double>(m_options.defaults[row.place])), changed = true;
-    if (changed) note(row, row.place, double(chosen));
+    if (changed) note(row, {row.place, double(chosen)});
     endRow(row);
     return changed;
 }
@@ -135,7 +139,7 @@ bool FieldUi::toggle(const char* key, bool& value)
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - kResetWidth);
     }
     if (resetButton(row)) value = std::get<bool>(m_options.defaults[row.place]), changed = true;
-    if (changed) note(row, row.place, value);
+    if (changed) note(row, {row.place, value});
     endRow(row);
     return changed;
 }
@@ -146,7 +150,7 @@ bool FieldUi::text(const char* key, std::string& value)
     if (!beginRow(row, key, 1)) return false;
     ImGui::SetNextItemWidth(-1);
     const bool changed = ui::textField("##value", isMixed(row.place) ? tr("common.mixed") : "", value);
-    if (changed) note(row, row.place, value);
+    if (changed) note(row, {row.place, value});
     endRow(row);
     return changed;
 }
@@ -167,7 +171,8 @@ bool FieldUi::numbers(const char* key, double* values, int count, const io::Hint
         ImGui::PushItemWidth(room);
         changed = ui::colourField("value", row.label, rgb, float(hint.max), isMixed(row.place), room);
         ImGui::PopItemWidth();
-        for (int i = 0; i < 3 && changed; ++i) note(row, row.place + std::size_t(i), double(values[i] = rgb[i]));
+        for (int i = 0; i < 3 && changed; ++i)
+            note(row, {row.place + std::size_t(i), double(values[i] = rgb[i])});
     } else {
         constexpr float kBetween = 4;
         const float width = std::floor((room - kBetween * float(count - 1)) / float(count));
@@ -177,14 +182,27 @@ bool FieldUi::numbers(const char* key, double* values, int count, const io::Hint
             const std::size_t place = row.place + std::size_t(i);
             const double old = values[i];
             const std::string label = count == 1 ? row.label : row.label + " " + std::string(1, "XYZW"[i]);
-            if (ui::number({.id = "##value", .label = label, .min = hint.min, .max = hint.max,
-                            .speed = speedFor(hint, whole, old), .decimals = decimalsFor(hint, whole),
-                            .unit = count == 1 ? unit : "", .logarithmic = hint.style == io::Style::Logarithmic,
-                            .mixed = isMixed(place), .axis = count == 3 ? i : -1, .width = width,
+            TypedNumber typed;
+            if (ui::number({.id = "##value",
+                            .label = label,
+                            .min = hint.min,
+                            .max = hint.max,
+                            .speed = speedFor(hint, whole, old),
+                            .decimals = decimalsFor(hint, whole),
+                            .unit = count == 1 ? unit : "",
+                            .logarithmic = hint.style == io::Style::Logarithmic,
+                            .mixed = isMixed(place),
+                            .axis = count == 3 ? i : -1,
+                            .width = width,
                             .shown = std::string_view{hint.unit} == "h" ? clockText(old) : ""},
-                           values[i])) {
+                           values[i], &typed)) {
                 if (whole) values[i] = std::round(values[i]);
-                note(row, place, values[i], values[i] - old, ImGui::IsMouseDown(ImGuiMouseButton_Left));
+                const bool dragged = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+                note(row, {.place = place,
+                           .value = values[i],
+                           .relative = typed.relative || dragged,
+                           .delta = typed.relative ? typed.delta : values[i] - old,
+                           .factor = typed.factor});
                 changed = true;
             }
             ImGui::PopID();
@@ -193,7 +211,7 @@ bool FieldUi::numbers(const char* key, double* values, int count, const io::Hint
     if (resetButton(row)) {
         for (int i = 0; i < count; ++i) {
             values[i] = std::get<double>(m_options.defaults[row.place + std::size_t(i)]);
-            note(row, row.place + std::size_t(i), values[i]);
+            note(row, {row.place + std::size_t(i), values[i]});
         }
         changed = true;
     }

@@ -1,5 +1,5 @@
-// FieldUi: the visitor that shows a fields() list as rows of widgets: label, value, unit, and a way back to the default.
-// It edits the copy that it is given and says what was changed; making a command of it is the panel's.
+// FieldUi: the visitor that shows a fields() list as rows of widgets: label, value, unit, and a way back to the
+// default. It edits the copy that it is given and says what was changed; making a command of it is the panel's.
 #pragma once
 
 #include "editor/scalars.h"
@@ -12,10 +12,10 @@
 namespace editor {
 
 struct FieldUiOptions {
-    std::string prefix;               // "template." : the labels are tr("field.template.KEY")
-    std::vector<Scalar> defaults;     // empty: no way back to them
-    std::vector<bool> mixed;          // by place; empty: none is
-    std::string filter;               // lowered: only rows whose label holds this
+    std::string prefix;                                // "template." : the labels are tr("field.template.KEY")
+    std::vector<Scalar> defaults;                      // empty: no way back to them
+    std::vector<bool> mixed;                           // by place; empty: none is
+    std::string filter;                                // lowered: only rows whose label holds this
     std::function<bool(std::string_view key)> enabled; // none: all are
     std::function<void(std::string_view key)> before;  // may draw rows of its own at the top of a section, "sun."
 };
@@ -24,8 +24,7 @@ class FieldUi {
 public:
     explicit FieldUi(FieldUiOptions options) : m_options{std::move(options)} {}
 
-    template <class T>
-    void operator()(const char* key, T& value, const io::Hint& hint)
+    template <class T> void operator()(const char* key, T& value, const io::Hint& hint)
     {
         if constexpr (HasFields<T, FieldUi>) {
             if (!beginSection(key)) return skipSection(scalarsOf(value).size());
@@ -44,9 +43,11 @@ public:
             if (numbers(key, &number, 1, hint, std::is_integral_v<T>)) value = T(number);
         } else if constexpr (Vector<T>) {
             double all[4] = {};
-            for (int i = 0; i < T::length(); ++i) all[i] = double(value[i]);
+            for (int i = 0; i < T::length(); ++i)
+                all[i] = double(value[i]);
             if (!numbers(key, all, T::length(), hint, false)) return;
-            for (int i = 0; i < T::length(); ++i) value[i] = typename T::value_type(all[i]);
+            for (int i = 0; i < T::length(); ++i)
+                value[i] = typename T::value_type(all[i]);
         }
     }
 
@@ -68,7 +69,7 @@ private:
     void endRow(const Row& row);
     bool resetButton(const Row& row);
     bool isMixed(std::size_t place) const { return place < m_options.mixed.size() && m_options.mixed[place]; }
-    void note(const Row& row, std::size_t place, Scalar value, double delta = 0, bool relative = false);
+    void note(const Row& row, ScalarChange change);
 
     FieldUiOptions m_options;
     std::string m_path; // of the open section, "sun."

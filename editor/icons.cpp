@@ -18,12 +18,14 @@ struct Pen {
     void line(float x0, float y0, float x1, float y1) const { draw.AddLine(at(x0, y0), at(x1, y1), colour, width()); }
     void path(std::initializer_list<ImVec2> points, bool closed = false) const
     {
-        for (const ImVec2& p : points) draw.PathLineTo(at(p.x, p.y));
+        for (const ImVec2& p : points)
+            draw.PathLineTo(at(p.x, p.y));
         draw.PathStroke(colour, closed ? ImDrawFlags_Closed : ImDrawFlags_None, width());
     }
     void fill(std::initializer_list<ImVec2> points) const
     {
-        for (const ImVec2& p : points) draw.PathLineTo(at(p.x, p.y));
+        for (const ImVec2& p : points)
+            draw.PathLineTo(at(p.x, p.y));
         draw.PathFillConvex(colour);
     }
     void circle(float x, float y, float r) const { draw.AddCircle(at(x, y), r * scale, colour, 0, width()); }
@@ -42,7 +44,8 @@ struct Pen {
         draw.PathArcTo(at(x, y), r * scale, from * kRadians, to * kRadians);
         draw.PathStroke(colour, 0, width());
     }
-    void head(float x, float y, float dx, float dy, float size = 2.6f) const // an arrow's tip that points along (dx, dy)
+    void head(float x, float y, float dx, float dy,
+              float size = 2.6f) const // an arrow's tip that points along (dx, dy)
     {
         const float bx = x - dx * size, by = y - dy * size, wing = size * 0.8f;
         fill({{x, y}, {bx - dy * wing, by + dx * wing}, {bx + dy * wing, by - dx * wing}});
@@ -77,15 +80,18 @@ void turnBack(const Pen& p, bool forward)
 {
     const auto x = [forward](float at) { return forward ? 16 - at : at; };
     p.path({{x(2.4f), 6}, {x(9.6f), 6}});
-    if (forward) p.arc(6.4f, 9.5f, 3.5f, 90, 270);
-    else p.arc(9.6f, 9.5f, 3.5f, -90, 90);
+    if (forward)
+        p.arc(6.4f, 9.5f, 3.5f, 90, 270);
+    else
+        p.arc(9.6f, 9.5f, 3.5f, -90, 90);
     p.line(x(9.6f), 13, x(5.2f), 13);
     p.path({{x(5.8f), 2.6f}, {x(2.4f), 6}, {x(5.8f), 9.4f}});
 }
 
 void pointer(const Pen& p)
 {
-    p.path({{3.6f, 1.8f}, {3.6f, 12.4f}, {6.4f, 9.9f}, {8.4f, 14.2f}, {10.3f, 13.3f}, {8.4f, 9.2f}, {12.2f, 8.9f}}, true);
+    p.path({{3.6f, 1.8f}, {3.6f, 12.4f}, {6.4f, 9.9f}, {8.4f, 14.2f}, {10.3f, 13.3f}, {8.4f, 9.2f}, {12.2f, 8.9f}},
+           true);
 }
 
 void fourArrows(const Pen& p)
@@ -323,53 +329,108 @@ void backArrow(const Pen& p)
 void strokes(const Pen& p, Icon icon)
 {
     switch (icon) {
-    case Icon::None: break;
-    case Icon::New: return page(p);
-    case Icon::Open: return openFolder(p);
-    case Icon::Folder: return folder(p);
-    case Icon::Save: return floppy(p);
-    case Icon::Undo: return turnBack(p, false);
-    case Icon::Redo: return turnBack(p, true);
-    case Icon::Select: return pointer(p);
-    case Icon::Translate: return fourArrows(p);
-    case Icon::Rotate: return roundArrow(p);
-    case Icon::Scale: return growing(p);
-    case Icon::World: return globe(p);
-    case Icon::Local: return axes(p);
-    case Icon::Snap: return magnet(p);
-    case Icon::Place: return treePlus(p);
-    case Icon::PlaceHere: return pin(p);
-    case Icon::Drop: return dropDown(p);
-    case Icon::Frame: return corners(p);
-    case Icon::Eye: return eye(p);
-    case Icon::Sun: return sun(p);
-    case Icon::Sliders: return sliders(p);
-    case Icon::Search: return magnifier(p);
-    case Icon::Close: p.line(3.5f, 3.5f, 12.5f, 12.5f), p.line(12.5f, 3.5f, 3.5f, 12.5f); break;
-    case Icon::Cross: p.line(3, 3, 13, 13), p.line(13, 3, 3, 13); break;
-    case Icon::ChevronRight: p.path({{6, 4}, {10, 8}, {6, 12}}); break;
-    case Icon::ChevronDown: p.path({{4, 6}, {8, 10}, {12, 6}}); break;
-    case Icon::Cube: return cube(p);
-    case Icon::Group: return groupBoxes(p);
-    case Icon::Marker: p.box(3, 3, 13, 13, 0), p.disc(8, 8, 1.4f); break;
-    case Icon::Terrain: return mountains(p);
-    case Icon::Camera: return videoCamera(p);
-    case Icon::Trash: return bin(p);
-    case Icon::Copy: return twoPages(p);
-    case Icon::Info: return infoSign(p);
-    case Icon::Warning: return triangleSign(p);
-    case Icon::Error: return errorSign(p);
-    case Icon::Clock: return clockFace(p);
-    case Icon::Layers: return layers(p);
-    case Icon::Home: return house(p);
-    case Icon::Up: p.line(8, 13.6f, 8, 3), p.path({{3.6f, 7.4f}, {8, 3}, {12.4f, 7.4f}}); break;
-    case Icon::Plus: p.line(8, 2.6f, 8, 13.4f), p.line(2.6f, 8, 13.4f, 8); break;
-    case Icon::Grid: return grid(p);
-    case Icon::Console: return console(p);
-    case Icon::Chart: return chart(p);
-    case Icon::Tree: return fir(p);
-    case Icon::Check: p.path({{2.8f, 8.4f}, {6.4f, 12}, {13.2f, 4.4f}}); break;
-    case Icon::Reset: return backArrow(p);
+    case Icon::None:
+        break;
+    case Icon::New:
+        return page(p);
+    case Icon::Open:
+        return openFolder(p);
+    case Icon::Folder:
+        return folder(p);
+    case Icon::Save:
+        return floppy(p);
+    case Icon::Undo:
+        return turnBack(p, false);
+    case Icon::Redo:
+        return turnBack(p, true);
+    case Icon::Select:
+        return pointer(p);
+    case Icon::Translate:
+        return fourArrows(p);
+    case Icon::Rotate:
+        return roundArrow(p);
+    case Icon::Scale:
+        return growing(p);
+    case Icon::World:
+        return globe(p);
+    case Icon::Local:
+        return axes(p);
+    case Icon::Snap:
+        return magnet(p);
+    case Icon::Place:
+        return treePlus(p);
+    case Icon::PlaceHere:
+        return pin(p);
+    case Icon::Drop:
+        return dropDown(p);
+    case Icon::Frame:
+        return corners(p);
+    case Icon::Eye:
+        return eye(p);
+    case Icon::Sun:
+        return sun(p);
+    case Icon::Sliders:
+        return sliders(p);
+    case Icon::Search:
+        return magnifier(p);
+    case Icon::Close:
+        p.line(3.5f, 3.5f, 12.5f, 12.5f), p.line(12.5f, 3.5f, 3.5f, 12.5f);
+        break;
+    case Icon::Cross:
+        p.line(3, 3, 13, 13), p.line(13, 3, 3, 13);
+        break;
+    case Icon::ChevronRight:
+        p.path({{6, 4}, {10, 8}, {6, 12}});
+        break;
+    case Icon::ChevronDown:
+        p.path({{4, 6}, {8, 10}, {12, 6}});
+        break;
+    case Icon::Cube:
+        return cube(p);
+    case Icon::Group:
+        return groupBoxes(p);
+    case Icon::Marker:
+        p.box(3, 3, 13, 13, 0), p.disc(8, 8, 1.4f);
+        break;
+    case Icon::Terrain:
+        return mountains(p);
+    case Icon::Camera:
+        return videoCamera(p);
+    case Icon::Trash:
+        return bin(p);
+    case Icon::Copy:
+        return twoPages(p);
+    case Icon::Info:
+        return infoSign(p);
+    case Icon::Warning:
+        return triangleSign(p);
+    case Icon::Error:
+        return errorSign(p);
+    case Icon::Clock:
+        return clockFace(p);
+    case Icon::Layers:
+        return layers(p);
+    case Icon::Home:
+        return house(p);
+    case Icon::Up:
+        p.line(8, 13.6f, 8, 3), p.path({{3.6f, 7.4f}, {8, 3}, {12.4f, 7.4f}});
+        break;
+    case Icon::Plus:
+        p.line(8, 2.6f, 8, 13.4f), p.line(2.6f, 8, 13.4f, 8);
+        break;
+    case Icon::Grid:
+        return grid(p);
+    case Icon::Console:
+        return console(p);
+    case Icon::Chart:
+        return chart(p);
+    case Icon::Tree:
+        return fir(p);
+    case Icon::Check:
+        p.path({{2.8f, 8.4f}, {6.4f, 12}, {13.2f, 4.4f}});
+        break;
+    case Icon::Reset:
+        return backArrow(p);
     }
 }
 

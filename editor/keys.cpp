@@ -11,13 +11,20 @@ std::string name(Key key)
     if (key >= Key::F1 && key <= Key::F12) return "F" + std::to_string(code - int(Key::F1) + 1);
     if (code > int(Key::Space) && code < 128) return std::string(1, char(code));
     switch (key) {
-    case Key::Space: return tr("key.space");
-    case Key::Escape: return tr("key.escape");
-    case Key::Enter: return tr("key.enter");
-    case Key::Delete: return tr("key.delete");
-    case Key::Home: return tr("key.home");
-    case Key::End: return tr("key.end");
-    default: return std::to_string(code);
+    case Key::Space:
+        return tr("key.space");
+    case Key::Escape:
+        return tr("key.escape");
+    case Key::Enter:
+        return tr("key.enter");
+    case Key::Delete:
+        return tr("key.delete");
+    case Key::Home:
+        return tr("key.home");
+    case Key::End:
+        return tr("key.end");
+    default:
+        return std::to_string(code);
     }
 }
 

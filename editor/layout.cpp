@@ -35,7 +35,8 @@ io::Value::Array asArray(const std::vector<std::string>& list)
 std::vector<std::string> known(const Layout& home)
 {
     std::vector<std::string> all = home.hidden;
-    for (const Tabs& tabs : home.regions) all.insert(all.end(), tabs.panels.begin(), tabs.panels.end());
+    for (const Tabs& tabs : home.regions)
+        all.insert(all.end(), tabs.panels.begin(), tabs.panels.end());
     return all;
 }
 

@@ -28,7 +28,7 @@ struct Layout {
     Tabs& at(Region region) { return regions[std::size_t(region)]; }
     const Tabs& at(Region region) const { return regions[std::size_t(region)]; }
     bool shows(std::string_view panel) const;
-    void take(std::string_view panel); // out of wherever it is
+    void take(std::string_view panel);                                                    // out of wherever it is
     void put(std::string_view panel, Region region, std::size_t place = ~std::size_t(0)); // and in front
     void hide(std::string_view panel);
     bool operator==(const Layout&) const = default;

@@ -10,8 +10,10 @@ namespace {
 void items(Editor& editor, std::initializer_list<const char*> ids)
 {
     for (const char* id : ids) {
-        if (*id) editor.actions().menuItem(id);
-        else ImGui::Separator();
+        if (*id)
+            editor.actions().menuItem(id);
+        else
+            ImGui::Separator();
     }
 }
 
@@ -21,7 +23,7 @@ void recentMenu(Editor& editor)
     if (!ui::beginMenu(tr("menu.recent"), !recent.empty())) return;
     for (const std::filesystem::path& project : recent)
         if (ui::menuItem(project.c_str(), nullptr, false, true, Icon::Terrain))
-            editor.dialogs().askToSave(editor, [&editor, project] { editor.open(project); });
+            editor.dialogs().askToSave(editor, [&editor, project] { editor.openLater(project); });
     ImGui::EndMenu();
 }
 
@@ -33,7 +35,7 @@ void scenesMenu(Editor& editor)
         const bool open = entry.name == document->world().entry.name;
         if (!ui::menuItem(entry.name.c_str(), nullptr, open) || open) continue;
         editor.dialogs().askToSave(editor, [&editor, folder = document->project().folder, name = entry.name] {
-            editor.open(folder, name);
+            editor.openLater(folder, name);
         });
     }
     ImGui::EndMenu();
@@ -61,7 +63,8 @@ void panelsMenu(Editor& editor)
 {
     if (!ui::beginMenu(tr("menu.panels"))) return;
     for (const Panel* panel : editor.workspace().panels())
-        if (ui::menuItem(tr("panel." + std::string{panel->id()}), nullptr, editor.workspace().shows(panel->id()), true, panel->icon()))
+        if (ui::menuItem(tr("panel." + std::string{panel->id()}), nullptr, editor.workspace().shows(panel->id()), true,
+                         panel->icon()))
             editor.workspace().toggle(panel->id());
     ImGui::Separator();
     editor.actions().menuItem("reset_layout");
@@ -83,7 +86,8 @@ void camerasMenu(Editor& editor)
 {
     if (!ui::beginMenu(tr("menu.cameras"), editor.document() != nullptr)) return;
     for (const io::Camera& camera : editor.document()->scene().cameras())
-        if (ui::menuItem(camera.name.c_str(), nullptr, false, true, Icon::Camera)) editor.viewport().camera.setCamera(camera);
+        if (ui::menuItem(camera.name.c_str(), nullptr, false, true, Icon::Camera))
+            editor.viewport().camera.setCamera(camera);
     if (!editor.document()->scene().cameras().empty()) ImGui::Separator();
     editor.actions().menuItem("store_camera");
     ImGui::EndMenu();
@@ -94,7 +98,8 @@ void languageMenu(Editor& editor)
     if (!ui::beginMenu(tr("menu.language"))) return;
     const std::string now = editor.host().language();
     for (const Language& language : editor.host().languages())
-        if (ui::menuItem(language.name.c_str(), nullptr, language.code == now)) editor.host().setLanguage(language.code);
+        if (ui::menuItem(language.name.c_str(), nullptr, language.code == now))
+            editor.host().setLanguage(language.code);
     ImGui::EndMenu();
 }
 
@@ -115,8 +120,8 @@ void viewMenu(Editor& editor)
 void toolsMenu(Editor& editor)
 {
     if (!ui::beginMenu(tr("menu.tools"))) return;
-    items(editor, {"tool_select", "tool_move", "tool_rotate", "tool_scale", "", "space", "snap", "", "place", "place_camera", "drop",
-                   "drop_align", "", "pick_boxes", "reload_shaders"});
+    items(editor, {"tool_select", "tool_move", "tool_rotate", "tool_scale", "", "space", "snap", "", "place",
+                   "place_camera", "drop", "drop_align", "", "pick_boxes", "reload_shaders"});
     ImGui::EndMenu();
 }
 
@@ -148,7 +153,8 @@ void tools(Editor& editor, std::initializer_list<const char*> ids)
 void showChoice(Editor& editor)
 {
     std::vector<std::string> names;
-    for (const std::string_view name : enumNames(editor.show)) names.emplace_back(tr("show." + std::string{name}));
+    for (const std::string_view name : enumNames(editor.show))
+        names.emplace_back(tr("show." + std::string{name}));
     int chosen = int(editor.show);
     constexpr float kWidth = 170;
     ImGui::SameLine(ImGui::GetWindowWidth() - kWidth - 8);
@@ -157,8 +163,9 @@ void showChoice(Editor& editor)
     if (ui::combo("##show", tr("menu.show"), names, chosen)) editor.show = renderer::Show(chosen);
 }
 
-constexpr ImGuiWindowFlags kBar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                  ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
+constexpr ImGuiWindowFlags kBar = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                  ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                                  ImGuiWindowFlags_NoNav;
 
 void beginBar(const char* id, float top, float height, ImVec2 padding)
 {

@@ -6,7 +6,7 @@ namespace editor {
 class Editor;
 
 void menuBar(Editor& editor);
-float toolbar(Editor& editor, float top);    // answers where it ends, pixels
-float statusBar(Editor& editor);             // answers where it begins
+float toolbar(Editor& editor, float top); // answers where it ends, pixels
+float statusBar(Editor& editor);          // answers where it begins
 
 } // namespace editor

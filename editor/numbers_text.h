@@ -6,7 +6,7 @@
 
 namespace editor {
 
-std::string grouped(std::uint64_t number);  // "1,081,274"
-std::string byteText(std::uint64_t bytes);  // "12.4 MB"
+std::string grouped(std::uint64_t number); // "1,081,274"
+std::string byteText(std::uint64_t bytes); // "12.4 MB"
 
 } // namespace editor

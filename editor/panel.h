@@ -24,10 +24,7 @@ public:
     virtual bool padded() const { return true; } // false: it draws up to the edges and scrolls by itself
 
     // What changed since the last call; comes before the next draw, also to panels that are hidden.
-    virtual void follow(const Document& document, const io::Changes& changes)
-    {
-        (void)document, (void)changes;
-    }
+    virtual void follow(const Document& document, const io::Changes& changes) { (void)document, (void)changes; }
 
 private:
     const char* m_id;

@@ -6,7 +6,7 @@
 
 namespace editor {
 
-std::string lowerCase(std::string_view text); // Latin letters with Czech accents, to bare small ones
+std::string lowerCase(std::string_view text);                // Latin letters with Czech accents, to bare small ones
 bool holds(std::string_view text, std::string_view lowered); // `lowered` as lowerCase() made it
 
 } // namespace editor

@@ -22,8 +22,10 @@ bool projectCard(const fs::path& project, Icon icon)
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(min, max, ImGui::IsItemHovered() ? palette::kHover : palette::kRaised, 5);
     drawIcon(draw, icon, {min.x + 16, min.y + 16}, 24, palette::kAccent);
-    draw.AddText(boldFont(), boldFont()->FontSize, {min.x + 56, min.y + 10}, palette::kText, project.filename().c_str());
-    draw.AddText({min.x + 56, min.y + 30}, palette::kFaintText, ui::fitted(project.string(), max.x - min.x - 70).c_str());
+    draw.AddText(boldFont(), boldFont()->FontSize, {min.x + 56, min.y + 10}, palette::kText,
+                 project.filename().c_str());
+    draw.AddText({min.x + 56, min.y + 30}, palette::kFaintText,
+                 ui::fitted(project.string(), max.x - min.x - 70).c_str());
     mapItem("project", project.filename().string());
     return clicked;
 }
@@ -34,7 +36,7 @@ void column(Editor& editor, const char* title, const char* empty, const std::vec
     ImGui::Dummy({0, 4});
     if (projects.empty()) ui::softText(empty);
     for (std::size_t i = 0; i < std::min<std::size_t>(projects.size(), 6); ++i)
-        if (projectCard(projects[i], icon)) editor.open(projects[i]);
+        if (projectCard(projects[i], icon)) editor.openLater(projects[i]);
 }
 
 } // namespace
@@ -45,8 +47,9 @@ void startPage(Editor& editor, ImVec2 min, ImVec2 max)
     ImGui::SetNextWindowPos(min);
     ImGui::SetNextWindowSize({max.x - min.x, max.y - min.y});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::kBack);
-    ImGui::Begin("##start", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                         ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::Begin("##start", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
     ImGui::PopStyleColor();
     const float width = std::min(kWidth, max.x - min.x - 48);
     ImGui::SetCursorPos({std::floor((max.x - min.x - width) / 2), std::max(32.f, (max.y - min.y) * 0.14f)});

@@ -21,8 +21,7 @@ bool hasText(std::string_view key);
 
 // A text with {}, {0} or {name} in it.
 std::string trFormatted(const char* key, fmt::format_args arguments);
-template <class... Args>
-std::string trf(const char* key, const Args&... args)
+template <class... Args> std::string trf(const char* key, const Args&... args)
 {
     return trFormatted(key, fmt::make_format_args(args...));
 }

@@ -6,14 +6,14 @@
 
 namespace editor {
 
-namespace palette { // sRGB
-constexpr ImU32 kBack = IM_COL32(22, 22, 25, 255);        // between the panels
-constexpr ImU32 kStrip = IM_COL32(29, 29, 33, 255);       // menu bar, tab strips, status bar
-constexpr ImU32 kPanel = IM_COL32(37, 37, 41, 255);       // what panels lie on
-constexpr ImU32 kRaised = IM_COL32(50, 50, 56, 255);      // buttons, section headers
+namespace palette {                                  // sRGB
+constexpr ImU32 kBack = IM_COL32(22, 22, 25, 255);   // between the panels
+constexpr ImU32 kStrip = IM_COL32(29, 29, 33, 255);  // menu bar, tab strips, status bar
+constexpr ImU32 kPanel = IM_COL32(37, 37, 41, 255);  // what panels lie on
+constexpr ImU32 kRaised = IM_COL32(50, 50, 56, 255); // buttons, section headers
 constexpr ImU32 kHover = IM_COL32(63, 63, 71, 255);
 constexpr ImU32 kPressed = IM_COL32(74, 74, 84, 255);
-constexpr ImU32 kField = IM_COL32(25, 25, 28, 255);       // what a value is typed into
+constexpr ImU32 kField = IM_COL32(25, 25, 28, 255); // what a value is typed into
 constexpr ImU32 kFieldHover = IM_COL32(31, 31, 36, 255);
 constexpr ImU32 kEdge = IM_COL32(15, 15, 17, 255);
 constexpr ImU32 kSoftEdge = IM_COL32(54, 54, 60, 255);

@@ -34,7 +34,8 @@ void Toasts::add(io::log::Level level, std::string text)
 
 void Toasts::draw(double seconds)
 {
-    for (Toast& toast : m_toasts) toast.left -= seconds;
+    for (Toast& toast : m_toasts)
+        toast.left -= seconds;
     std::erase_if(m_toasts, [](const Toast& toast) { return toast.left <= 0; });
 
     ImDrawList& draw = *ImGui::GetForegroundDrawList();
@@ -46,7 +47,8 @@ void Toasts::draw(double seconds)
         const ImVec2 max{display.x - 16, bottom}, min{max.x - text.x - 56, max.y - text.y - 20};
         draw.AddRectFilled(min, max, withAlpha(IM_COL32(48, 48, 54, 250), alpha), 5);
         draw.AddRect(min, max, withAlpha(palette::kEdge, alpha), 5);
-        draw.AddRectFilled(min, {min.x + 4, max.y}, withAlpha(colourOf(toast->level), alpha), 5, ImDrawFlags_RoundCornersLeft);
+        draw.AddRectFilled(min, {min.x + 4, max.y}, withAlpha(colourOf(toast->level), alpha), 5,
+                           ImDrawFlags_RoundCornersLeft);
         drawIcon(draw, iconOf(toast->level), {min.x + 15, min.y + 10}, 16, withAlpha(colourOf(toast->level), alpha));
         draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {min.x + 42, min.y + 10}, withAlpha(palette::kText, alpha),
                      toast->text.c_str(), nullptr, kWidth - 56);

@@ -59,7 +59,8 @@ io::Value uiMap()
 {
     io::Value::Array result;
     for (const Item& item : g_items) {
-        io::Value::Object entry{{"panel", item.panel}, {"label", item.label}, {"kind", item.kind}, {"rect", rectangle(item)}};
+        io::Value::Object entry{
+            {"panel", item.panel}, {"label", item.label}, {"kind", item.kind}, {"rect", rectangle(item)}};
         if (!item.value.isNull()) entry.emplace_back("value", item.value);
         result.emplace_back(std::move(entry));
     }

@@ -94,7 +94,8 @@ void Viewport::draw(Editor& editor)
 
     ImGui::SetCursorScreenPos(m_min);
     ImGui::InvisibleButton("##view", room,
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
     m_hovered = ImGui::IsItemHovered();
     mapItem("viewport", tr("panel.viewport"));
     takeDrop(editor);
@@ -145,8 +146,10 @@ void Viewport::pressLeft(Editor& editor)
     if (ImGui::GetIO().KeyAlt) {
         m_drag = Drag::Orbit;
         const io::WorldBox box = boundsOf(*editor.document(), editor.selection().ids());
-        if (!box.empty()) camera.focusOn(box.centre());
-        else focusUnderPointer(editor);
+        if (!box.empty())
+            camera.focusOn(box.centre());
+        else
+            focusUnderPointer(editor);
     } else if (m_placing != io::TemplateId::None) {
         m_drag = Drag::Place;
         if (m_ghost) m_anchorYaw = m_ghost->transform.rotation.y;
@@ -164,19 +167,29 @@ void Viewport::focusUnderPointer(Editor& editor)
 void Viewport::hold(Editor& editor, double seconds)
 {
     switch (m_drag) {
-    case Drag::None: break;
+    case Drag::None:
+        break;
     case Drag::Look:
         camera.look(mouseDelta());
-        camera.fly({axisOf(Key::D, Key::A), axisOf(Key::E, Key::Q), axisOf(Key::W, Key::S)}, ImGui::GetIO().KeyShift, seconds);
+        camera.fly({axisOf(Key::D, Key::A), axisOf(Key::E, Key::Q), axisOf(Key::W, Key::S)}, ImGui::GetIO().KeyShift,
+                   seconds);
         break;
-    case Drag::Orbit: camera.orbit(mouseDelta()); break;
-    case Drag::Pan: camera.pan(mouseDelta(), m_size.y); break;
+    case Drag::Orbit:
+        camera.orbit(mouseDelta());
+        break;
+    case Drag::Pan:
+        camera.pan(mouseDelta(), m_size.y);
+        break;
     case Drag::Click:
         if (clickDistance()) m_drag = Drag::Box;
         break;
-    case Drag::Box: break;
-    case Drag::Gizmo: dragGizmo(editor); break;
-    case Drag::Place: break;
+    case Drag::Box:
+        break;
+    case Drag::Gizmo:
+        dragGizmo(editor);
+        break;
+    case Drag::Place:
+        break;
     }
     if (!pressed(Key::Escape)) return;
     if (m_drag == Drag::Gizmo) endGizmo(editor, false);
@@ -189,14 +202,25 @@ void Viewport::release(Editor& editor)
     switch (ended) {
     case Drag::Look:
         if (clickDistance()) break;
-        if (m_placing != io::TemplateId::None) stopPlacing();
-        else openContextMenu(editor);
+        if (m_placing != io::TemplateId::None)
+            stopPlacing();
+        else
+            openContextMenu(editor);
         break;
-    case Drag::Click: click(editor); break;
-    case Drag::Box: selectBox(editor); break;
-    case Drag::Gizmo: endGizmo(editor, true); break;
-    case Drag::Place: placeGhost(editor); break;
-    default: break;
+    case Drag::Click:
+        click(editor);
+        break;
+    case Drag::Box:
+        selectBox(editor);
+        break;
+    case Drag::Gizmo:
+        endGizmo(editor, true);
+        break;
+    case Drag::Place:
+        placeGhost(editor);
+        break;
+    default:
+        break;
     }
 }
 

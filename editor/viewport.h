@@ -98,7 +98,7 @@ private:
     std::optional<float> m_yaw;
     std::uint64_t m_seed = 1;
 
-    std::vector<io::ObjectId> m_tinted; // the selection with the members of its groups, the primary last
+    std::vector<io::ObjectId> m_tinted;      // the selection with the members of its groups, the primary last
     std::vector<io::Transform> m_transforms; // of those
     std::vector<renderer::Line> m_lines;
     std::uint64_t m_shownRevision = 0, m_shownSelection = 0;

@@ -32,7 +32,8 @@ glm::dvec2 middleOf(const GizmoShape& shape)
 {
     if (!shape.closed && !shape.filled) return shape.points[shape.points.size() / 2];
     glm::dvec2 sum{0};
-    for (const glm::dvec2& p : shape.points) sum += p;
+    for (const glm::dvec2& p : shape.points)
+        sum += p;
     return sum / double(shape.points.size());
 }
 
@@ -98,7 +99,8 @@ void Viewport::refreshSelectionShown(Editor& editor)
     if (primary != m_tinted.end()) std::rotate(primary, primary + 1, m_tinted.end());
     std::erase_if(m_tinted, [&document](io::ObjectId id) { return !document.scene().find(id); });
     m_transforms.clear();
-    for (const io::ObjectId id : m_tinted) m_transforms.push_back(document.scene().at(id).transform);
+    for (const io::ObjectId id : m_tinted)
+        m_transforms.push_back(document.scene().at(id).transform);
     m_lines.clear();
     for (const io::ObjectId id : editor.selection().ids()) {
         const io::Object* object = document.scene().find(id);
@@ -129,9 +131,12 @@ void Viewport::drawGizmo() const
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     for (const GizmoShape& shape : gizmo.shapes(view(), *frame)) {
         if (shape.points.empty()) continue;
-        for (const glm::dvec2& p : shape.points) draw.PathLineTo({m_min.x + float(p.x), m_min.y + float(p.y)});
-        if (shape.filled) draw.PathFillConvex(colourOf(shape));
-        else draw.PathStroke(colourOf(shape), shape.closed ? ImDrawFlags_Closed : 0, shape.hovered ? 3.5f : 2.5f);
+        for (const glm::dvec2& p : shape.points)
+            draw.PathLineTo({m_min.x + float(p.x), m_min.y + float(p.y)});
+        if (shape.filled)
+            draw.PathFillConvex(colourOf(shape));
+        else
+            draw.PathStroke(colourOf(shape), shape.closed ? ImDrawFlags_Closed : 0, shape.hovered ? 3.5f : 2.5f);
         const glm::dvec2 middle = middleOf(shape);
         const ImVec2 at{m_min.x + float(middle.x), m_min.y + float(middle.y)};
         if (shape.handle != GizmoHandle::None)
@@ -147,7 +152,8 @@ void Viewport::drawBox() const
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const ImVec2 a{m_min.x + float(m_pressed.x), m_min.y + float(m_pressed.y)};
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const ImVec2 min{std::min(a.x, mouse.x), std::min(a.y, mouse.y)}, max{std::max(a.x, mouse.x), std::max(a.y, mouse.y)};
+    const ImVec2 min{std::min(a.x, mouse.x), std::min(a.y, mouse.y)},
+        max{std::max(a.x, mouse.x), std::max(a.y, mouse.y)};
     draw.AddRectFilled(min, max, withAlpha(palette::kAccent, 0.16f));
     draw.AddRect(min, max, palette::kAccent);
 }
@@ -183,7 +189,8 @@ void Viewport::drawHints(Editor& editor) const
     pill({m_min.x + 10, bottom}, trf("viewport.eye", eye.x, eye.y, eye.z), palette::kSoftText);
     if (editor.show != renderer::Show::Final) {
         const auto names = enumNames(editor.show);
-        pill({m_min.x + 10, m_min.y + 10}, tr("show." + std::string{names[std::size_t(editor.show)]}), kHot, false, Icon::Layers);
+        pill({m_min.x + 10, m_min.y + 10}, tr("show." + std::string{names[std::size_t(editor.show)]}), kHot, false,
+             Icon::Layers);
     }
     if (m_drag == Drag::Look || m_speedShown > 0) {
         pill({middle, bottom}, trf("viewport.speed", camera.speed()), palette::kText, true, Icon::Camera);

@@ -67,7 +67,8 @@ void Viewport::takeDrop(Editor& editor)
 {
     m_dropping = io::TemplateId::None;
     if (!ImGui::BeginDragDropTarget()) return;
-    const ImGuiDragDropFlags flags = ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect;
+    const ImGuiDragDropFlags flags =
+        ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect;
     if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload("template", flags)) {
         m_dropping = *static_cast<const io::TemplateId*>(payload->Data);
         if (payload->IsDelivery()) {

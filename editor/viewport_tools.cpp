@@ -46,7 +46,9 @@ void Viewport::selectBox(Editor& editor)
     }
     editor.inspectTemplate = false;
     const ImGuiIO& io = ImGui::GetIO();
-    editor.selection().apply(io.KeyCtrl ? SelectMode::Remove : io.KeyShift ? SelectMode::Add : SelectMode::Set,
+    editor.selection().apply(io.KeyCtrl    ? SelectMode::Remove
+                             : io.KeyShift ? SelectMode::Add
+                                           : SelectMode::Set,
                              wholeGroups(editor.document()->hierarchy(), ids));
 }
 
@@ -72,8 +74,10 @@ void Viewport::dragGizmo(Editor& editor)
 void Viewport::endGizmo(Editor& editor, bool keep)
 {
     gizmo.end();
-    if (keep) editor.document()->endGesture();
-    else editor.document()->cancelGesture();
+    if (keep)
+        editor.document()->endGesture();
+    else
+        editor.document()->cancelGesture();
 }
 
 // Of what is under the pointer: it is selected first, unless it is already.
@@ -94,11 +98,14 @@ void Viewport::contextMenu(Editor& editor)
     if (ImGui::BeginPopup("##context")) {
         const MapPanel map{"popup"};
         const Actions& actions = editor.actions();
-        for (const char* id : {"cut", "copy", "paste", "duplicate", "delete"}) actions.menuItem(id);
+        for (const char* id : {"cut", "copy", "paste", "duplicate", "delete"})
+            actions.menuItem(id);
         ImGui::Separator();
-        for (const char* id : {"group", "ungroup", "drop", "select_same"}) actions.menuItem(id);
+        for (const char* id : {"group", "ungroup", "drop", "select_same"})
+            actions.menuItem(id);
         ImGui::Separator();
-        for (const char* id : {"frame", "place_camera"}) actions.menuItem(id);
+        for (const char* id : {"frame", "place_camera"})
+            actions.menuItem(id);
         ImGui::EndPopup();
     }
     ImGui::PopStyleVar();

@@ -19,9 +19,12 @@ ButtonLook look(Emphasis emphasis)
 {
     using namespace palette;
     switch (emphasis) {
-    case Emphasis::Accent: return {kAccentDeep, IM_COL32(116, 84, 208, 255), kAccent, IM_COL32_WHITE};
-    case Emphasis::Quiet: return {0, kHover, kPressed, kText};
-    case Emphasis::Normal: break;
+    case Emphasis::Accent:
+        return {kAccentDeep, IM_COL32(116, 84, 208, 255), kAccent, IM_COL32_WHITE};
+    case Emphasis::Quiet:
+        return {0, kHover, kPressed, kText};
+    case Emphasis::Normal:
+        break;
     }
     return {kRaised, kHover, kPressed, kText};
 }
@@ -41,7 +44,8 @@ void axisEdge(int axis, ImVec2 min, ImVec2 max)
 {
     if (axis < 0) return;
     constexpr ImU32 kColours[] = {palette::kRed, palette::kGreen, palette::kBlue};
-    ImGui::GetWindowDrawList()->AddRectFilled(min, {min.x + 3, max.y}, kColours[axis % 3], 2, ImDrawFlags_RoundCornersLeft);
+    ImGui::GetWindowDrawList()->AddRectFilled(min, {min.x + 3, max.y}, kColours[axis % 3], 2,
+                                              ImDrawFlags_RoundCornersLeft);
 }
 
 bool bounded(const NumberField& field)
@@ -61,7 +65,8 @@ void fieldBar(const NumberField& field, double value, ImVec2 min, ImVec2 max)
     const float end = min.x + (max.x - min.x) * float(share);
     if (end - min.x >= 2)
         ImGui::GetWindowDrawList()->AddRectFilled(min, {end, max.y}, IM_COL32(141, 104, 245, 70), 3,
-                                                  share > 0.98 ? ImDrawFlags_RoundCornersAll : ImDrawFlags_RoundCornersLeft);
+                                                  share > 0.98 ? ImDrawFlags_RoundCornersAll
+                                                               : ImDrawFlags_RoundCornersLeft);
 }
 
 double dragSpeed(const NumberField& field, float width)
@@ -82,7 +87,8 @@ void fieldText(const NumberField& field, double value, ImVec2 min, ImVec2 max)
 {
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const std::string text = digits(field, value);
-    const std::string unit = field.unit.empty() || field.mixed || !field.shown.empty() ? std::string{} : " " + std::string{field.unit};
+    const std::string unit =
+        field.unit.empty() || field.mixed || !field.shown.empty() ? std::string{} : " " + std::string{field.unit};
     const float textWidth = ImGui::CalcTextSize(text.c_str()).x, unitWidth = ImGui::CalcTextSize(unit.c_str()).x;
     const bool unitFits = textWidth + unitWidth < max.x - min.x - 6;
     const float x = std::max(min.x + 4, (min.x + max.x - textWidth - (unitFits ? unitWidth : 0)) / 2);
@@ -102,6 +108,38 @@ float encoded(float linear) // towards sRGB, past 1 too
 float decoded(float colour)
 {
     return colour <= 0.04045f ? colour / 12.92f : std::pow((colour + 0.055f) / 1.055f, 2.4f);
+}
+
+bool dragIn(const NumberField& field, float width, double& value)
+{
+    const std::string format = field.logarithmic ? "%.5g" : "%." + std::to_string(field.decimals) + "f";
+    const ImGuiSliderFlags flags =
+        field.logarithmic ? ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat : 0;
+    double edited = value;
+    ImGui::PushStyleColor(ImGuiCol_Text, 0); // the digits are drawn with their unit
+    ImGui::SetNextItemWidth(width);
+    const bool changed = ImGui::DragScalar(field.id, ImGuiDataType_Double, &edited, float(dragSpeed(field, width)),
+                                           &field.min, &field.max, format.c_str(), flags);
+    ImGui::PopStyleColor();
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (!changed || !std::isfinite(edited)) return false;
+    value = std::clamp(edited, field.min, field.max);
+    return true;
+}
+
+// The text that DragScalar opened, from its second frame on: ours, for ImGui's own takes no "+=" and reads numbers as
+// the locale has them.
+bool typeInto(const NumberField& field, const ImRect& box, double& value, TypedNumber* typed)
+{
+    static char text[64]; // one text at a time has the keyboard
+    if (!ImGui::ItemAdd(box, ImGui::GetID(field.id), nullptr, ImGuiItemFlags_Inputable)) return false;
+    ImGui::TempInputText(box, ImGui::GetID(field.id), field.id, text, sizeof text, ImGuiInputTextFlags_AutoSelectAll);
+    if (!ImGui::IsItemDeactivatedAfterEdit() || ImGui::IsKeyPressedMap(ImGuiKey_Escape)) return false;
+    const auto number = typedNumber(text);
+    if (!number) return false;
+    if (typed) *typed = *number;
+    value = std::clamp(number->of(value), field.min, field.max);
+    return true;
 }
 
 } // namespace
@@ -162,7 +200,11 @@ bool toggleChip(const char* id, const char* text, Icon icon, ImU32 colour, bool&
     if (ImGui::InvisibleButton(id, size)) on = !on;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const ImVec2 max{min.x + size.x, min.y + size.y};
-    draw.AddRectFilled(min, max, on ? palette::kRaised : ImGui::IsItemHovered() ? palette::kHover : palette::kField, size.y / 2);
+    draw.AddRectFilled(min, max,
+                       on                       ? palette::kRaised
+                       : ImGui::IsItemHovered() ? palette::kHover
+                                                : palette::kField,
+                       size.y / 2);
     drawIcon(draw, icon, {min.x + 10, min.y + (size.y - 13) / 2}, 13, on ? colour : palette::kFaintText);
     draw.AddText({min.x + 28, min.y + (size.y - label.y) / 2}, on ? palette::kText : palette::kFaintText, text);
     mapItem("toggle", text, on);
@@ -190,7 +232,8 @@ bool searchField(const char* id, const char* hint, std::string& text)
     ImGui::PushID(id);
     ImGui::SetItemAllowOverlap();
     ImGui::SetCursorScreenPos({ImGui::GetItemRectMax().x - 24, min.y + (height - 20) / 2});
-    const bool cleared = iconButton({.id = "clear", .icon = Icon::Close, .label = tr("common.clear_search"), .size = 20});
+    const bool cleared =
+        iconButton({.id = "clear", .icon = Icon::Close, .label = tr("common.clear_search"), .size = 20});
     ImGui::PopID();
     ImGui::SetCursorScreenPos(after);
     if (cleared) text.clear();
@@ -199,7 +242,8 @@ bool searchField(const char* id, const char* hint, std::string& text)
 
 bool combo(const char* id, std::string_view label, std::span<const std::string> items, int& chosen, bool mixed)
 {
-    const char* shown = mixed || chosen < 0 || chosen >= int(items.size()) ? tr("common.mixed") : items[std::size_t(chosen)].c_str();
+    const char* shown =
+        mixed || chosen < 0 || chosen >= int(items.size()) ? tr("common.mixed") : items[std::size_t(chosen)].c_str();
     bool changed = false;
     ImGui::PushStyleColor(ImGuiCol_Button, palette::kField);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{6, 6});
@@ -224,7 +268,7 @@ bool combo(const char* id, std::string_view label, std::span<const std::string> 
     return changed;
 }
 
-bool number(const NumberField& field, double& value)
+bool number(const NumberField& field, double& value, TypedNumber* typed)
 {
     const float width = field.width > 0 ? field.width : ImGui::GetContentRegionAvail().x;
     const ImVec2 min = ImGui::GetCursorScreenPos();
@@ -234,24 +278,14 @@ bool number(const NumberField& field, double& value)
     ImGui::GetWindowDrawList()->AddRectFilled(
         min, max, withAlpha(hovered ? palette::kFieldHover : palette::kField, ImGui::GetStyle().Alpha), 3);
     if (!typing) fieldBar(field, value, min, max);
-
     for (const ImGuiCol slot : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive})
         ImGui::PushStyleColor(slot, 0);
-    ImGui::PushStyleColor(ImGuiCol_Text, typing ? palette::kText : 0); // the digits are drawn below, with their unit
-    ImGui::SetNextItemWidth(width);
-    const std::string format = field.logarithmic ? "%.5g" : "%." + std::to_string(field.decimals) + "f";
-    const ImGuiSliderFlags flags = field.logarithmic ? ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat : 0;
-    double edited = value;
-    const bool changed = ImGui::DragScalar(field.id, ImGuiDataType_Double, &edited, float(dragSpeed(field, width)),
-                                           &field.min, &field.max, format.c_str(), flags);
-    ImGui::PopStyleColor(4);
-    if (ImGui::IsItemHovered() && !typing) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    const bool changed = typing ? typeInto(field, {min, max}, value, typed) : dragIn(field, width, value);
+    ImGui::PopStyleColor(3);
     mapItem("number", field.label, value);
     if (!ImGui::TempInputIsActive(ImGui::GetItemID())) fieldText(field, value, min, max);
     axisEdge(field.axis, min, max);
-    if (!changed || !std::isfinite(edited)) return false;
-    value = std::clamp(edited, field.min, field.max);
-    return true;
+    return changed;
 }
 
 bool colourField(const char* id, std::string_view label, float* linearRgb, float max, bool mixed, float width)
@@ -259,7 +293,8 @@ bool colourField(const char* id, std::string_view label, float* linearRgb, float
     float shown[3] = {encoded(linearRgb[0]), encoded(linearRgb[1]), encoded(linearRgb[2])};
     const ImVec4 swatch{shown[0], shown[1], shown[2], 1};
     ImGui::PushID(id);
-    if (ImGui::ColorButton("swatch", swatch, ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoDragDrop,
+    if (ImGui::ColorButton("swatch", swatch,
+                           ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoDragDrop,
                            {width > 0 ? width : ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()}))
         ImGui::OpenPopup("picker");
     if (mixed) {
@@ -272,14 +307,16 @@ bool colourField(const char* id, std::string_view label, float* linearRgb, float
         const MapPanel popup{"popup"};
         ImGui::SetNextItemWidth(240);
         changed = ImGui::ColorPicker3("##picker", shown,
-                                      ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoSidePreview |
-                                          ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHSV);
+                                      ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
+                                          ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
+                                          ImGuiColorEditFlags_DisplayHSV);
         mapItem("colour picker", label);
         ImGui::EndPopup();
     }
     ImGui::PopID();
     if (changed)
-        for (int i = 0; i < 3; ++i) linearRgb[i] = std::clamp(decoded(shown[i]), 0.f, max);
+        for (int i = 0; i < 3; ++i)
+            linearRgb[i] = std::clamp(decoded(shown[i]), 0.f, max);
     return changed;
 }
 
@@ -290,8 +327,10 @@ bool menuItem(const char* text, const char* shortcut, bool checked, bool enabled
     const bool clicked = ImGui::MenuItem(padded.c_str(), shortcut, false, enabled);
     const ImU32 colour = enabled ? palette::kSoftText : palette::kFaintText;
     const float top = min.y + (ImGui::GetItemRectSize().y - 14) / 2 - ImGui::GetStyle().ItemSpacing.y / 2;
-    if (checked) drawIcon(*ImGui::GetWindowDrawList(), Icon::Check, {min.x + 2, top}, 14, palette::kAccent);
-    else if (icon != Icon::None) drawIcon(*ImGui::GetWindowDrawList(), icon, {min.x + 2, top}, 14, colour);
+    if (checked)
+        drawIcon(*ImGui::GetWindowDrawList(), Icon::Check, {min.x + 2, top}, 14, palette::kAccent);
+    else if (icon != Icon::None)
+        drawIcon(*ImGui::GetWindowDrawList(), icon, {min.x + 2, top}, 14, colour);
     mapItem(enabled ? "menu item" : "disabled menu item", text, checked);
     return clicked;
 }
@@ -303,8 +342,10 @@ bool beginMenu(const char* text, bool enabled)
     const std::string padded = inBar ? std::string{text} : std::string{"        "} + text;
     const float width = ImGui::CalcTextSize(text).x + 12;
     const bool open = ImGui::BeginMenu(padded.c_str(), enabled);
-    if (inBar) mapRect("menu", text, min, {min.x + width, min.y + ImGui::GetFrameHeight()}, open);
-    else if (!open) mapItem("menu", text, open);
+    if (inBar)
+        mapRect("menu", text, min, {min.x + width, min.y + ImGui::GetFrameHeight()}, open);
+    else if (!open)
+        mapItem("menu", text, open);
     return open;
 }
 
@@ -317,7 +358,8 @@ bool section(const char* id, const char* text, bool openAtFirst)
     const ImVec2 size{ImGui::GetContentRegionAvail().x, 28};
     if (ImGui::InvisibleButton(id, size)) storage.SetBool(key, open = !open);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddRectFilled(min, {min.x + size.x, min.y + size.y}, ImGui::IsItemHovered() ? palette::kHover : palette::kRaised, 3);
+    draw.AddRectFilled(min, {min.x + size.x, min.y + size.y},
+                       ImGui::IsItemHovered() ? palette::kHover : palette::kRaised, 3);
     drawIcon(draw, open ? Icon::ChevronDown : Icon::ChevronRight, {min.x + 8, min.y + 8}, 12, palette::kSoftText);
     ImGui::PushFont(boldFont());
     draw.AddText({min.x + 28, min.y + (size.y - ImGui::GetFontSize()) / 2}, palette::kText, text);
@@ -341,8 +383,9 @@ void propertyLabel(std::string_view label, std::string_view unit, bool strong)
     ImGui::PopStyleColor();
     if (shown.size() < label.size() && ImGui::IsItemHovered()) tooltip(std::string{label}.c_str());
     if (!suffix.empty())
-        ImGui::GetWindowDrawList()->AddText({at.x + ImGui::CalcTextSize(shown.c_str()).x, at.y + ImGui::GetStyle().FramePadding.y},
-                                            withAlpha(palette::kFaintText, ImGui::GetStyle().Alpha), suffix.c_str());
+        ImGui::GetWindowDrawList()->AddText(
+            {at.x + ImGui::CalcTextSize(shown.c_str()).x, at.y + ImGui::GetStyle().FramePadding.y},
+            withAlpha(palette::kFaintText, ImGui::GetStyle().Alpha), suffix.c_str());
     ImGui::SameLine(startX + column);
     ImGui::SetNextItemWidth(-FLT_MIN);
 }
@@ -391,7 +434,8 @@ void emptyState(Icon icon, const char* title, const char* text)
     const ImVec2 size = ImGui::CalcTextSize(title);
     draw.AddText({middle - size.x / 2, y}, palette::kSoftText, title);
     ImGui::PopFont();
-    draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {middle - body.x / 2, y + 24}, palette::kFaintText, text, nullptr, wrap);
+    draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {middle - body.x / 2, y + 24}, palette::kFaintText, text,
+                 nullptr, wrap);
 }
 
 void iconText(Icon icon, ImU32 colour, std::string_view text)
@@ -414,10 +458,13 @@ std::string fitted(std::string_view text, float width)
     const float dots = ImGui::CalcTextSize("…").x;
     while (low + 1 < high) { // the longest start that leaves room for the dots
         const std::size_t middle = (low + high) / 2;
-        if (ImGui::CalcTextSize(text.data(), text.data() + middle).x + dots <= width) low = middle;
-        else high = middle;
+        if (ImGui::CalcTextSize(text.data(), text.data() + middle).x + dots <= width)
+            low = middle;
+        else
+            high = middle;
     }
-    while (low > 0 && (text[low] & 0xc0) == 0x80) --low; // never within a letter
+    while (low > 0 && (text[low] & 0xc0) == 0x80)
+        --low; // never within a letter
     return std::string{text.substr(0, low)} + "…";
 }
 

@@ -4,6 +4,7 @@
 
 #include "editor/icons.h"
 #include "editor/theme.h"
+#include "editor/typed_number.h"
 #include "editor/ui_map.h"
 
 #include <imgui.h>
@@ -21,15 +22,16 @@ bool button(const char* id, const char* text, Emphasis emphasis = Emphasis::Norm
 struct IconButton {
     const char* id;
     Icon icon = Icon::None;
-    std::string label;   // of the ui map, and of the tooltip when that has no text of its own
+    std::string label; // of the ui map, and of the tooltip when that has no text of its own
     std::string tooltip = {};
-    bool on = false;     // a switch that is on
+    bool on = false; // a switch that is on
     bool enabled = true;
     float size = kToolSize;
-    ImU32 colour = 0;    // of the icon; 0: the text's
+    ImU32 colour = 0; // of the icon; 0: the text's
 };
 bool iconButton(const IconButton& what);
-bool checkbox(const char* id, const char* text, bool& value, std::string_view label = {}); // of the ui map, if not the text
+bool checkbox(const char* id, const char* text, bool& value,
+              std::string_view label = {});                                           // of the ui map, if not the text
 bool toggleChip(const char* id, const char* text, Icon icon, ImU32 colour, bool& on); // a filter's switch
 bool textField(const char* id, const char* hint, std::string& text, ImGuiInputTextFlags flags = 0);
 bool searchField(const char* id, const char* hint, std::string& text);
@@ -50,9 +52,10 @@ struct NumberField {
     std::string shown = {}; // in place of the digits, as "10:30"
 };
 constexpr double kOpenRange = 20000;
-bool number(const NumberField& field, double& value);
+bool number(const NumberField& field, double& value, TypedNumber* typed = nullptr); // `typed`: how, if it was
 
-bool colourField(const char* id, std::string_view label, float* linearRgb, float max, bool mixed = false, float width = 0);
+bool colourField(const char* id, std::string_view label, float* linearRgb, float max, bool mixed = false,
+                 float width = 0);
 
 bool menuItem(const char* text, const char* shortcut = nullptr, bool checked = false, bool enabled = true,
               Icon icon = Icon::None);

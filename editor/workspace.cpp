@@ -9,8 +9,8 @@
 namespace editor {
 namespace {
 
-constexpr float kGap = 4;        // pixels between regions, where the splitters are
-constexpr float kStrip = 32;     // height of a tab strip
+constexpr float kGap = 4;    // pixels between regions, where the splitters are
+constexpr float kStrip = 32; // height of a tab strip
 constexpr float kLeastSide = 160, kLeastBottom = 110, kLeastCentre = 240;
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
@@ -27,8 +27,10 @@ std::string title(const Panel& panel)
 void Workspace::add(Panel& panel, Region home, bool shown)
 {
     m_panels.push_back(&panel);
-    if (shown) m_home.at(home).panels.emplace_back(panel.id());
-    else m_home.hidden.emplace_back(panel.id());
+    if (shown)
+        m_home.at(home).panels.emplace_back(panel.id());
+    else
+        m_home.hidden.emplace_back(panel.id());
     Tabs& tabs = m_home.at(home);
     if (!tabs.panels.empty()) tabs.front = tabs.panels.front();
     m_layout = m_home;
@@ -41,13 +43,16 @@ void Workspace::setHomeSize(Region region, float pixels)
 
 bool Workspace::inFront(std::string_view panel) const
 {
-    return std::any_of(m_layout.regions.begin(), m_layout.regions.end(), [panel](const Tabs& t) { return t.front == panel; });
+    return std::any_of(m_layout.regions.begin(), m_layout.regions.end(),
+                       [panel](const Tabs& t) { return t.front == panel; });
 }
 
 void Workspace::toggle(std::string_view panel)
 {
-    if (shows(panel)) m_layout.hide(panel);
-    else m_layout.put(panel, homeOf(panel));
+    if (shows(panel))
+        m_layout.hide(panel);
+    else
+        m_layout.put(panel, homeOf(panel));
 }
 
 void Workspace::bringToFront(std::string_view panel)
@@ -79,9 +84,13 @@ std::array<Workspace::Rect, 4> Workspace::arranged(ImVec2 min, ImVec2 max) const
         return tabs.panels.empty() ? 0 : std::clamp(tabs.size, least, std::max(least, most));
     };
     const float width = max.x - min.x, height = max.y - min.y;
-    const float left = size(Region::Left, kLeastSide, width * 0.45f);
-    const float right = size(Region::Right, kLeastSide, width - left - kLeastCentre);
-    const float bottom = size(Region::Bottom, kLeastBottom, height - 120);
+    float left = size(Region::Left, kLeastSide, width), right = size(Region::Right, kLeastSide, width);
+    const float most =
+        std::max(width * 0.25f, width - std::max(kLeastCentre, width * 0.4f)); // the centre keeps the rest
+    const float share = std::min(1.f, most / std::max(left + right, 1.f));
+    left = std::floor(left * share);
+    right = std::floor(right * share);
+    const float bottom = size(Region::Bottom, kLeastBottom, height * 0.5f);
     const float x0 = min.x + left + (left > 0 ? kGap : 0), x1 = max.x - right - (right > 0 ? kGap : 0);
     const float y1 = max.y - bottom - (bottom > 0 ? kGap : 0);
     std::array<Rect, 4> rects;
@@ -110,8 +119,10 @@ void Workspace::splitters(const std::array<Rect, 4>& rects, ImVec2 min, ImVec2 m
     const Rect& left = rects[std::size_t(Region::Left)];
     const Rect& right = rects[std::size_t(Region::Right)];
     const Rect& bottom = rects[std::size_t(Region::Bottom)];
-    if (left.max.x > left.min.x) splitter(Region::Left, {{left.max.x, min.y}, {left.max.x + kGap, max.y}}, max.x - min.x);
-    if (right.max.x > right.min.x) splitter(Region::Right, {{right.min.x - kGap, min.y}, {right.min.x, max.y}}, max.x - min.x);
+    if (left.max.x > left.min.x)
+        splitter(Region::Left, {{left.max.x, min.y}, {left.max.x + kGap, max.y}}, max.x - min.x);
+    if (right.max.x > right.min.x)
+        splitter(Region::Right, {{right.min.x - kGap, min.y}, {right.min.x, max.y}}, max.x - min.x);
     if (bottom.max.y > bottom.min.y)
         splitter(Region::Bottom, {{bottom.min.x, bottom.min.y - kGap}, {bottom.max.x, bottom.min.y}}, max.y - min.y);
 }
@@ -192,7 +203,10 @@ void Workspace::tab(Region region, const Panel& panel, float& x, float top)
     if (!front) return;
     ImGui::SetCursorScreenPos({max.x - 25, min.y + 4});
     const std::string close = std::string{"close."} + panel.id();
-    if (ui::iconButton({.id = close.c_str(), .icon = Icon::Close, .label = trf("common.hide_panel", text), .size = 20,
+    if (ui::iconButton({.id = close.c_str(),
+                        .icon = Icon::Close,
+                        .label = trf("common.hide_panel", text),
+                        .size = 20,
                         .colour = palette::kFaintText}))
         m_toHide = panel.id();
 }
@@ -202,8 +216,8 @@ void Workspace::drawPanel(Editor& editor, Panel& panel, Region region)
     const MapPanel map{panel.id()};
     ImGui::SetCursorPos({0, kStrip});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, panel.padded() ? ImVec2{10, 10} : ImVec2{0, 0});
-    const ImGuiWindowFlags flags =
-        panel.padded() ? ImGuiWindowFlags_AlwaysUseWindowPadding : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+    const ImGuiWindowFlags flags = panel.padded() ? ImGuiWindowFlags_AlwaysUseWindowPadding
+                                                  : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
     ImGui::BeginChild((std::string{panel.id()} + "." + std::string{name(region)}).c_str(), {0, 0}, false, flags);
     ImGui::PopStyleVar();
     mapRect("panel", title(panel), ImGui::GetWindowPos(),
@@ -253,7 +267,8 @@ void Workspace::dropTab(Region region)
     const std::vector<std::string>& ids = m_layout.at(region).panels;
     const auto own = std::find(ids.begin(), ids.end(), m_dragged);
     if (own != ids.end() && std::size_t(own - ids.begin()) < place) --place; // it leaves its old place first
-    if (m_layout.at(region).panels.empty() && m_layout.at(region).size <= 0) m_layout.at(region).size = m_home.at(region).size;
+    if (m_layout.at(region).panels.empty() && m_layout.at(region).size <= 0)
+        m_layout.at(region).size = m_home.at(region).size;
     m_layout.put(m_dragged, region, place);
 }
 

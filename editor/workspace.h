@@ -47,7 +47,7 @@ private:
 
     std::vector<Panel*> m_panels;
     Layout m_home, m_layout;
-    std::string m_dragged;             // id of the panel whose tab is being dragged
+    std::string m_dragged;                              // id of the panel whose tab is being dragged
     std::vector<std::pair<Region, float>> m_tabMiddles; // of this frame, to find where a dropped tab goes
     std::string m_toHide;
 };

@@ -18,14 +18,22 @@ void Dialogs::draw(Editor& editor)
     const MapPanel map{"dialog"};
     if (!ImGui::IsPopupOpen(kId)) ImGui::OpenPopup(kId);
     switch (m_which) {
-    case Which::Open: return drawOpen(editor);
-    case Which::New: return drawNew(editor);
-    case Which::SaveAs: return drawSaveAs(editor);
-    case Which::Keys: return drawKeys(editor);
-    case Which::Message: return drawMessage();
-    case Which::AskToSave: return drawAskToSave(editor);
-    case Which::Confirm: return drawConfirm();
-    case Which::None: break;
+    case Which::Open:
+        return drawOpen(editor);
+    case Which::New:
+        return drawNew(editor);
+    case Which::SaveAs:
+        return drawSaveAs(editor);
+    case Which::Keys:
+        return drawKeys(editor);
+    case Which::Message:
+        return drawMessage();
+    case Which::AskToSave:
+        return drawAskToSave(editor);
+    case Which::Confirm:
+        return drawConfirm();
+    case Which::None:
+        break;
     }
 }
 
@@ -37,12 +45,13 @@ bool Dialogs::begin(const char* title, float width)
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{20, 18});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-    const ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
-                                   ImGuiWindowFlags_NoSavedSettings;
+    const ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize |
+                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
     const bool open = ImGui::BeginPopupModal(kId, nullptr, flags);
     ImGui::PopStyleVar(3);
     if (!open) return false;
     ui::heading(title);
+    mapItem("title", title);
     ImGui::Dummy({0, 4});
     if (pressed(Key::Escape)) close();
     return true;
@@ -102,8 +111,10 @@ void Dialogs::drawAskToSave(Editor& editor)
     if (ui::button("cancel", tr("dialog.cancel"), ui::Emphasis::Normal, {kWide, 0})) close();
     ImGui::SameLine(0, 8);
     if (ui::button("save", tr("dialog.save"), ui::Emphasis::Accent, {kWide, 0}) || pressed(Key::Enter)) {
-        if (editor.save()) go();
-        else close();
+        if (editor.save())
+            go();
+        else
+            close();
     }
     end();
 }
@@ -133,7 +144,8 @@ void Dialogs::drawMessage()
     if (m_messages.empty()) return close();
     const Message message = m_messages.front();
     if (!begin(message.title.c_str(), 520)) return;
-    ImGui::BeginChild("##text", {0, std::min(260.f, ImGui::CalcTextSize(message.text.c_str(), nullptr, false, 470).y + 8)});
+    ImGui::BeginChild("##text",
+                      {0, std::min(260.f, ImGui::CalcTextSize(message.text.c_str(), nullptr, false, 470).y + 8)});
     ui::softText(message.text);
     mapItem("label", message.text);
     ImGui::EndChild();
@@ -156,7 +168,8 @@ void Dialogs::drawKeys(Editor& editor)
         mapItem("label", what, keys);
     };
     if (ImGui::BeginTable("##table", 2, ImGuiTableFlags_RowBg)) {
-        constexpr const char* kMouse[] = {"look", "fly", "speed", "dolly", "orbit", "pan", "click", "behind", "toggle", "box", "snap", "cancel"};
+        constexpr const char* kMouse[] = {"look",  "fly",    "speed",  "dolly", "orbit", "pan",
+                                          "click", "behind", "toggle", "box",   "snap",  "cancel"};
         for (const char* entry : kMouse)
             line(tr(std::string{"keys."} + entry), tr(std::string{"keys."} + entry + "_how"));
         for (const Action& action : editor.actions().all())

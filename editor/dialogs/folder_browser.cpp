@@ -20,7 +20,8 @@ void FolderBrowser::start(const fs::path& folder)
 {
     std::error_code none;
     fs::path at = fs::absolute(folder, none);
-    while (!fs::is_directory(at, none) && at.has_relative_path()) at = at.parent_path();
+    while (!fs::is_directory(at, none) && at.has_relative_path())
+        at = at.parent_path();
     enter(at);
     m_confirmed = false;
 }
@@ -41,19 +42,22 @@ void FolderBrowser::read()
 {
     m_entries.clear();
     std::error_code fault;
-    for (fs::directory_iterator at{m_folder, fs::directory_options::skip_permission_denied, fault}, end; !fault && at != end; at.increment(fault)) {
+    for (fs::directory_iterator at{m_folder, fs::directory_options::skip_permission_denied, fault}, end;
+         !fault && at != end; at.increment(fault)) {
         std::error_code none;
         const std::string name = at->path().filename().string();
         if (name.starts_with('.') || !at->is_directory(none)) continue;
         m_entries.push_back({name, isProject(at->path())});
     }
-    std::sort(m_entries.begin(), m_entries.end(), [](const Entry& a, const Entry& b) { return lowerCase(a.name) < lowerCase(b.name); });
+    std::sort(m_entries.begin(), m_entries.end(),
+              [](const Entry& a, const Entry& b) { return lowerCase(a.name) < lowerCase(b.name); });
 }
 
 void FolderBrowser::draw(float height)
 {
     const float size = ImGui::GetFrameHeight() + 2;
-    if (ui::iconButton({.id = "up", .icon = Icon::Up, .label = tr("browser.up"), .size = size}) && m_folder.has_parent_path())
+    if (ui::iconButton({.id = "up", .icon = Icon::Up, .label = tr("browser.up"), .size = size}) &&
+        m_folder.has_parent_path())
         enter(m_folder.parent_path());
     ImGui::SameLine(0, 2);
     if (ui::iconButton({.id = "home", .icon = Icon::Home, .label = tr("browser.home"), .size = size}))
@@ -72,7 +76,8 @@ void FolderBrowser::draw(float height)
     ImGui::BeginChild("##folders", {0, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2{0, 0});
     const std::vector<Entry> entries = m_entries; // entering a folder changes the list
-    for (const Entry& entry : entries) row(entry);
+    for (const Entry& entry : entries)
+        row(entry);
     if (entries.empty()) ui::softText(tr("browser.empty"));
     ImGui::PopStyleVar();
     ImGui::EndChild();
@@ -91,7 +96,8 @@ void FolderBrowser::row(const Entry& entry)
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const bool on = m_text == path.string();
     if (on || hovered) draw.AddRectFilled(min, max, on ? IM_COL32(98, 68, 184, 140) : IM_COL32(255, 255, 255, 12), 3);
-    drawIcon(draw, entry.project ? Icon::Terrain : Icon::Folder, {min.x + 8, min.y + 6}, 14, entry.project ? palette::kAccent : palette::kSoftText);
+    drawIcon(draw, entry.project ? Icon::Terrain : Icon::Folder, {min.x + 8, min.y + 6}, 14,
+             entry.project ? palette::kAccent : palette::kSoftText);
     draw.AddText({min.x + 32, min.y + 5}, palette::kText, entry.name.c_str());
     if (entry.project) {
         const char* mark = tr("browser.project");
@@ -99,11 +105,15 @@ void FolderBrowser::row(const Entry& entry)
     }
     mapItem("folder", entry.name, on);
     if (hovered && ImGui::IsMouseDoubleClicked(0)) {
-        if (entry.project) m_text = path.string(), m_confirmed = true;
-        else enter(path);
+        if (entry.project)
+            m_text = path.string(), m_confirmed = true;
+        else
+            enter(path);
     } else if (clicked) {
-        if (entry.project) m_text = path.string();
-        else enter(path);
+        if (entry.project)
+            m_text = path.string();
+        else
+            enter(path);
     }
 }
 

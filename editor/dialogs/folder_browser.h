@@ -12,7 +12,7 @@ public:
     void start(const std::filesystem::path& folder);
     void draw(float height);
     std::filesystem::path chosen() const { return m_text; } // as typed or clicked
-    bool confirmed(); // a double click on a project
+    bool confirmed();                                       // a double click on a project
 
 private:
     struct Entry {

@@ -50,7 +50,7 @@ void Dialogs::showSaveAs(Editor& editor)
 void Dialogs::openChosen(Editor& editor, const fs::path& project)
 {
     close();
-    editor.open(project);
+    editor.openLater(project);
 }
 
 void Dialogs::drawOpen(Editor& editor)
@@ -82,7 +82,8 @@ void Dialogs::drawNew(Editor& editor)
     ui::propertyLabel(tr("dialog.name"));
     ui::textField("##name", tr("dialog.name"), m_name);
     std::vector<std::string> starters;
-    for (const char* starter : kStarters) starters.emplace_back(tr(std::string{"starter."} + starter));
+    for (const char* starter : kStarters)
+        starters.emplace_back(tr(std::string{"starter."} + starter));
     ui::propertyLabel(tr("dialog.starter"));
     ui::combo("##starter", tr("dialog.starter"), starters, m_starter);
     ImGui::Dummy({0, 4});
@@ -90,8 +91,10 @@ void Dialogs::drawNew(Editor& editor)
     m_browser.draw(240);
     const fs::path folder = m_browser.chosen() / m_name;
     if (buttons(tr("dialog.create"), !m_name.empty())) {
-        if (const io::Status made = io::newProject(folder, kStarters[std::size_t(m_starter)]); !made) m_fault = made.error().text();
-        else openChosen(editor, folder);
+        if (const io::Status made = io::newProject(folder, kStarters[std::size_t(m_starter)]); !made)
+            m_fault = made.error().text();
+        else
+            openChosen(editor, folder);
     }
     end();
 }

@@ -46,7 +46,8 @@ void ConsolePanel::draw(Editor&)
     ImGuiListClipper clipper;
     clipper.Begin(int(m_shown.size()));
     while (clipper.Step())
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) line(m_lines[m_shown[std::size_t(i)]]);
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            line(m_lines[m_shown[std::size_t(i)]]);
     ImGui::PopStyleVar();
     ImGui::PopFont();
     if (std::exchange(m_toEnd, false)) ImGui::SetScrollHereY(1);
@@ -58,7 +59,8 @@ void ConsolePanel::takeNewLines()
     std::vector<io::log::Line> lines = io::log::linesAfter(m_last);
     if (lines.empty()) return;
     m_last = lines.back().number;
-    for (io::log::Line& l : lines) ++m_counts[indexOf(l.level)], m_lines.push_back(std::move(l));
+    for (io::log::Line& l : lines)
+        ++m_counts[indexOf(l.level)], m_lines.push_back(std::move(l));
     if (m_lines.size() > kKept) m_lines.erase(m_lines.begin(), m_lines.end() - std::ptrdiff_t(kKept));
     filter();
     m_toEnd = true;
@@ -89,7 +91,8 @@ void ConsolePanel::header()
     const float size = ImGui::GetFrameHeight() + 2;
     if (ui::iconButton({.id = "copy", .icon = Icon::Copy, .label = tr("console.copy"), .size = size})) {
         std::string all;
-        for (const std::size_t i : m_shown) all += m_lines[i].text + "\n";
+        for (const std::size_t i : m_shown)
+            all += m_lines[i].text + "\n";
         ImGui::SetClipboardText(all.c_str());
     }
     ImGui::SameLine(0, 2);

@@ -23,7 +23,7 @@ private:
     void filter();
 
     std::vector<io::log::Line> m_lines;
-    std::vector<std::size_t> m_shown; // places in m_lines
+    std::vector<std::size_t> m_shown;                      // places in m_lines
     std::array<bool, 4> m_levels{false, true, true, true}; // debug, info, warning, error
     std::array<std::size_t, 4> m_counts{};
     std::uint64_t m_last = 0;

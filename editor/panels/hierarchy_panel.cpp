@@ -36,8 +36,11 @@ void HierarchyPanel::header(Editor& editor)
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 36);
     if (ui::searchField("##search", tr("hierarchy.search"), m_search)) m_rows.setFilter(m_search);
     ImGui::SameLine(0, 6);
-    if (ui::iconButton({.id = "by_template", .icon = Icon::Folder, .label = tr("hierarchy.by_template"),
-                        .on = m_rows.byTemplate(), .size = ImGui::GetFrameHeight() + 2}))
+    if (ui::iconButton({.id = "by_template",
+                        .icon = Icon::Folder,
+                        .label = tr("hierarchy.by_template"),
+                        .on = m_rows.byTemplate(),
+                        .size = ImGui::GetFrameHeight() + 2}))
         m_rows.setByTemplate(!m_rows.byTemplate());
     const std::size_t chosen = editor.selection().size();
     const std::string all = grouped(editor.document()->scene().objects().size());
@@ -70,7 +73,8 @@ void HierarchyPanel::tree(Editor& editor)
     ImGuiListClipper clipper;
     clipper.Begin(int(shown.size()), kRow);
     while (clipper.Step())
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) row(editor, shown[std::size_t(i)], std::size_t(i));
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            row(editor, shown[std::size_t(i)], std::size_t(i));
     const float wanted = float(m_scrollTo) * kRow;
     if (m_scrollTo != TreeRows::kNoRow &&
         (wanted < ImGui::GetScrollY() || wanted + kRow > ImGui::GetScrollY() + ImGui::GetWindowHeight()))
@@ -132,7 +136,8 @@ void HierarchyPanel::row(Editor& editor, const TreeRow& row, std::size_t index)
             m_renameBegins = true;
         } else if (hovered && ImGui::IsMouseClicked(0) && onArrow && row.kind != TreeRow::Kind::Object) {
             m_rows.setOpen(row, !row.open);
-        } else if (hovered && ImGui::IsMouseReleased(0) && !onArrow && ImGui::GetMouseDragDelta(0).x == 0 && ImGui::GetMouseDragDelta(0).y == 0) {
+        } else if (hovered && ImGui::IsMouseReleased(0) && !onArrow && ImGui::GetMouseDragDelta(0).x == 0 &&
+                   ImGui::GetMouseDragDelta(0).y == 0) {
             clickRow(editor, row, index);
         }
         rowFace(editor, row, min, max, hovered);
@@ -146,20 +151,25 @@ void HierarchyPanel::rowFace(Editor& editor, const TreeRow& row, ImVec2 min, ImV
     const Document& document = *editor.document();
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const bool chosen = selected(editor, row);
-    if (chosen) draw.AddRectFilled(min, max, IM_COL32(98, 68, 184, 140), 3);
-    else if (hovered) draw.AddRectFilled(min, max, IM_COL32(255, 255, 255, 12), 3);
+    if (chosen)
+        draw.AddRectFilled(min, max, IM_COL32(98, 68, 184, 140), 3);
+    else if (hovered)
+        draw.AddRectFilled(min, max, IM_COL32(255, 255, 255, 12), 3);
     float x = min.x + 4 + 16 * float(row.depth);
     if (row.kind != TreeRow::Kind::Object)
         drawIcon(draw, row.open ? Icon::ChevronDown : Icon::ChevronRight, {x, min.y + 7}, 10, palette::kSoftText);
     x += 16;
-    const ImU32 iconColour = row.kind == TreeRow::Kind::Group ? palette::kAmber : chosen ? IM_COL32_WHITE : palette::kSoftText;
+    const ImU32 iconColour = row.kind == TreeRow::Kind::Group ? palette::kAmber
+                             : chosen                         ? IM_COL32_WHITE
+                                                              : palette::kSoftText;
     drawIcon(draw, iconOf(document, row), {x, min.y + 5}, 14, iconColour);
     x += 21;
     const float top = min.y + (kRow - ImGui::GetFontSize()) / 2;
     const std::string label = text(document, row);
     const std::string count = row.kind == TreeRow::Kind::Object ? std::string{} : grouped(row.count);
     const float countWidth = ImGui::CalcTextSize(count.c_str()).x;
-    draw.AddText({x, top}, chosen ? IM_COL32_WHITE : palette::kText, ui::fitted(label, max.x - x - countWidth - 14).c_str());
+    draw.AddText({x, top}, chosen ? IM_COL32_WHITE : palette::kText,
+                 ui::fitted(label, max.x - x - countWidth - 14).c_str());
     draw.AddText({max.x - countWidth - 8, top}, palette::kFaintText, count.c_str());
 }
 
@@ -190,7 +200,8 @@ void HierarchyPanel::dragRow(Editor& editor, const TreeRow& row)
         m_seenSelection = editor.selection().revision();
         ImGui::SetDragDropPayload("objects", &row.id, sizeof row.id);
         const std::size_t count = editor.selection().size();
-        ImGui::TextUnformatted(count == 1 ? text(*editor.document(), row).c_str() : trf("hierarchy.dragged", count).c_str());
+        ImGui::TextUnformatted(count == 1 ? text(*editor.document(), row).c_str()
+                                          : trf("hierarchy.dragged", count).c_str());
         ImGui::EndDragDropSource();
     }
     if (row.kind == TreeRow::Kind::Group) dropOn(editor, row.id);
@@ -237,7 +248,8 @@ void HierarchyPanel::keys(Editor& editor)
     const std::vector<TreeRow>& rows = m_rows.rows();
     std::size_t at = step ? m_rows.find(primary) : TreeRows::kNoRow;
     if (at == TreeRows::kNoRow) return;
-    do at += std::size_t(step);
+    do
+        at += std::size_t(step);
     while (at < rows.size() && rows[at].kind == TreeRow::Kind::Template);
     if (at >= rows.size()) return;
     editor.selection().set(rows[at].id);

@@ -25,9 +25,12 @@ void HistoryPanel::draw(Editor& editor)
             if (ImGui::InvisibleButton("step", {max.x - min.x, kRow})) target = std::size_t(i);
             ImDrawList& draw = *ImGui::GetWindowDrawList();
             const bool current = std::size_t(i) == now, undone = std::size_t(i) > now;
-            if (current) draw.AddRectFilled(min, max, IM_COL32(98, 68, 184, 140), 3);
-            else if (ImGui::IsItemHovered()) draw.AddRectFilled(min, max, IM_COL32(255, 255, 255, 12), 3);
-            drawIcon(draw, i == 0 ? Icon::Open : Icon::Check, {min.x + 8, min.y + 6}, 12, undone ? palette::kFaintText : palette::kSoftText);
+            if (current)
+                draw.AddRectFilled(min, max, IM_COL32(98, 68, 184, 140), 3);
+            else if (ImGui::IsItemHovered())
+                draw.AddRectFilled(min, max, IM_COL32(255, 255, 255, 12), 3);
+            drawIcon(draw, i == 0 ? Icon::Open : Icon::Check, {min.x + 8, min.y + 6}, 12,
+                     undone ? palette::kFaintText : palette::kSoftText);
             draw.AddText({min.x + 30, min.y + 4}, undone ? palette::kFaintText : palette::kText, text.c_str());
             mapItem("step", text, current);
             ImGui::PopID();

@@ -84,7 +84,8 @@ void InspectorPanel::refresh(Editor& editor, const io::Object& primary)
         m_mixedNames |= object->name != primary.name;
         if (std::find(m_mixed.begin(), m_mixed.end(), false) == m_mixed.end()) continue;
         const std::vector<Scalar> other = scalarsOf(object->transform);
-        for (std::size_t i = 0; i < own.size(); ++i) m_mixed[i] = m_mixed[i] || other[i] != own[i];
+        for (std::size_t i = 0; i < own.size(); ++i)
+            m_mixed[i] = m_mixed[i] || other[i] != own[i];
     }
 }
 
@@ -97,8 +98,9 @@ void InspectorPanel::drawHeader(Editor& editor, const io::Object& primary)
     drawIcon(*ImGui::GetWindowDrawList(), isGroup ? Icon::Group : Icon::Cube, {at.x, at.y + 2}, 18,
              isGroup ? palette::kAmber : palette::kAccent);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 28);
-    ui::heading(count > 1 ? trf("inspector.many", grouped(count)).c_str()
-                          : ui::fitted(displayName(document.scene(), primary), ImGui::GetContentRegionAvail().x - 80).c_str());
+    ui::heading(
+        count > 1 ? trf("inspector.many", grouped(count)).c_str()
+                  : ui::fitted(displayName(document.scene(), primary), ImGui::GetContentRegionAvail().x - 80).c_str());
     const std::string id = trf("inspector.id", io::number(primary.id));
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(id.c_str()).x);
     ImGui::TextDisabled("%s", id.c_str());
@@ -140,7 +142,8 @@ void InspectorPanel::drawTemplateChoice(Editor& editor, const io::Object& primar
         });
     }
     ImGui::SameLine(0, 4);
-    if (ui::iconButton({.id = "to_template", .icon = Icon::ChevronRight, .label = tr("inspector.to_template"), .size = 26})) {
+    if (ui::iconButton(
+            {.id = "to_template", .icon = Icon::ChevronRight, .label = tr("inspector.to_template"), .size = 26})) {
         editor.chosenTemplate = primary.templateId;
         editor.inspectTemplate = true;
     }
@@ -165,7 +168,8 @@ void InspectorPanel::drawTransform(Editor& editor, const io::Object& primary)
     fields(ui, shown);
     if (ui.changes().empty()) return;
     std::vector<ScalarChange> changes = ui.changes();
-    for (ScalarChange& change : changes) change.relative &= editor.selection().size() > 1;
+    for (ScalarChange& change : changes)
+        change.relative = change.relative && editor.selection().size() > 1; // one takes exactly what is shown
     applyToSelection(editor, ui, changes);
 }
 
@@ -191,7 +195,8 @@ void InspectorPanel::drawTemplate(Editor& editor, io::TemplateId id)
     if (editor.renderer()) {
         const renderer::Picture picture = editor.renderer()->thumbnail(id, 128);
         ImGui::GetWindowDrawList()->AddImageRounded(reinterpret_cast<ImTextureID>(picture.texture), at,
-                                                    {at.x + kPicture, at.y + kPicture}, {0, 1}, {1, 0}, IM_COL32_WHITE, 4);
+                                                    {at.x + kPicture, at.y + kPicture}, {0, 1}, {1, 0}, IM_COL32_WHITE,
+                                                    4);
     }
     ImGui::Dummy({kPicture, kPicture});
     ImGui::SameLine(0, 12);

@@ -26,12 +26,12 @@ private:
     void drawTemplate(Editor& editor, io::TemplateId id);
     void refresh(Editor& editor, const io::Object& primary);
 
-    std::vector<bool> m_mixed;       // by scalar of the transform
+    std::vector<bool> m_mixed; // by scalar of the transform
     bool m_mixedTemplates = false;
     bool m_mixedNames = false;
     io::WorldBox m_bounds;
     std::uint64_t m_triangles = 0;
-    std::size_t m_members = 0; // of the primary, when it is a group
+    std::size_t m_members = 0;                     // of the primary, when it is a group
     std::uint64_t m_revision = 0, m_selection = 0; // of which all these are
 };
 

@@ -18,11 +18,13 @@ void RenderingPanel::draw(Editor& editor)
         for (std::size_t i = 0; i < names.size(); ++i) {
             bool on = editor.show == renderer::Show(i);
             ImGui::PushID(int(i));
-            if (ui::checkbox("show", tr("show." + std::string{names[i]}), on)) editor.show = on ? renderer::Show(i) : renderer::Show::Final;
+            if (ui::checkbox("show", tr("show." + std::string{names[i]}), on))
+                editor.show = on ? renderer::Show(i) : renderer::Show::Final;
             ImGui::PopID();
         }
     }
-    if (ui::section("device", tr("section.device"))) ui::softText(editor.renderer() ? editor.renderer()->deviceName() : "");
+    if (ui::section("device", tr("section.device")))
+        ui::softText(editor.renderer() ? editor.renderer()->deviceName() : "");
 }
 
 } // namespace editor

@@ -28,7 +28,8 @@ void figure(const char* key, const std::string& value)
 
 void nextFigure() // on the same line where it fits
 {
-    if (ImGui::GetItemRectMax().x + 8 + kWidth < ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) ImGui::SameLine(0, 8);
+    if (ImGui::GetItemRectMax().x + 8 + kWidth < ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
+        ImGui::SameLine(0, 8);
 }
 
 void timeCell(double ms, double longest, ImU32 colour)
@@ -36,7 +37,8 @@ void timeCell(double ms, double longest, ImU32 colour)
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     const float share = longest > 0 ? float(std::min(1.0, ms / longest)) : 0;
-    ImGui::GetWindowDrawList()->AddRectFilled({at.x + 58, at.y + 4}, {at.x + 58 + std::max(0.f, width - 62) * share, at.y + 14}, colour, 2);
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x + 58, at.y + 4},
+                                              {at.x + 58 + std::max(0.f, width - 62) * share, at.y + 14}, colour, 2);
     ImGui::TextUnformatted(fmt::format("{:.2f}", ms).c_str());
 }
 
@@ -63,7 +65,8 @@ void StatisticsPanel::note(double seconds)
     m_frames[m_next++ % m_frames.size()] = float(seconds * 1000);
     const std::size_t count = std::min(m_next, m_frames.size());
     float sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum += m_frames[i];
+    for (std::size_t i = 0; i < count; ++i)
+        sum += m_frames[i];
     m_average = sum / float(count);
 }
 
@@ -79,7 +82,8 @@ void StatisticsPanel::figures(Editor& editor)
             {"statistics.instances", grouped(stats.instances)},
             {"statistics.instances_drawn", grouped(stats.instancesDrawn)},
             {"statistics.gpu_memory", byteText(stats.gpuBytes)}};
-        for (const auto& [key, value] : all) nextFigure(), figure(key, value);
+        for (const auto& [key, value] : all)
+            nextFigure(), figure(key, value);
     }
     if (!editor.document()) return;
     nextFigure();
@@ -112,9 +116,11 @@ void StatisticsPanel::passes(Editor& editor) const
     const std::vector<renderer::PassTime>& passes = editor.renderer()->stats().passes;
     for (const renderer::ShaderFault& fault : editor.renderer()->shaderFaults())
         ui::iconText(Icon::Error, palette::kRed, fault.where + ": " + fault.what);
-    if (passes.empty() || !ImGui::BeginTable("##passes", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp)) return;
+    if (passes.empty() || !ImGui::BeginTable("##passes", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp))
+        return;
     double longest = 0;
-    for (const renderer::PassTime& pass : passes) longest = std::max({longest, pass.cpuMs, pass.gpuMs});
+    for (const renderer::PassTime& pass : passes)
+        longest = std::max({longest, pass.cpuMs, pass.gpuMs});
     ImGui::TableSetupColumn(tr("statistics.pass"), 0, 1.2f);
     ImGui::TableSetupColumn(tr("statistics.cpu"), 0, 1);
     ImGui::TableSetupColumn(tr("statistics.gpu"), 0, 1);

@@ -30,7 +30,8 @@ struct Dial {
 void face(ImDrawList& draw, const Dial& dial)
 {
     draw.AddCircleFilled(dial.middle, kRadius, IM_COL32(29, 33, 46, 255), 64);
-    for (const float share : {1 / 3.f, 2 / 3.f}) draw.AddCircle(dial.middle, kRadius * share, IM_COL32(255, 255, 255, 22), 48);
+    for (const float share : {1 / 3.f, 2 / 3.f})
+        draw.AddCircle(dial.middle, kRadius * share, IM_COL32(255, 255, 255, 22), 48);
     draw.AddCircle(dial.middle, kRadius, palette::kSoftEdge, 64, 1.5f);
     constexpr const char* kPoints[] = {"compass.north", "compass.east", "compass.south", "compass.west"};
     for (int i = 0; i < 4; ++i) {
@@ -84,7 +85,8 @@ bool sunDial(io::Environment& environment)
         double azimuth = std::atan2(x, y) * kDegrees;
         if (azimuth < 0) azimuth += 360;
         environment.sun.azimuth = float(std::round(azimuth * 10) / 10);
-        environment.sun.elevation = float(std::round(std::clamp(90 - std::hypot(x, y) / kRadius * 90, 0.0, 90.0) * 10) / 10);
+        environment.sun.elevation =
+            float(std::round(std::clamp(90 - std::hypot(x, y) / kRadius * 90, 0.0, 90.0) * 10) / 10);
     }
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const glm::dvec3 toward = io::towardSun(environment);

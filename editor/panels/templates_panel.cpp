@@ -20,7 +20,8 @@ constexpr float kCategories = 150;
 void TemplatesPanel::follow(const Document& document, const io::Changes& changes)
 {
     if (changes.everything) m_drawn.clear();
-    for (const io::TemplateId id : changes.templates) m_drawn.erase(io::number(id));
+    for (const io::TemplateId id : changes.templates)
+        m_drawn.erase(io::number(id));
     if (!changes.everything && changes.templates.empty()) return;
     m_categories.clear();
     for (const io::Scene::TemplateSlot& slot : document.scene().templates())
@@ -44,17 +45,20 @@ void TemplatesPanel::categories(Editor& editor)
 {
     ImGui::BeginChild("##categories", {kCategories, 0});
     int total = 0;
-    for (const auto& [name, count] : m_categories) total += count;
+    for (const auto& [name, count] : m_categories)
+        total += count;
     const auto entry = [&](const std::string& category, const std::string& text, int count) {
         const ImVec2 min = ImGui::GetCursorScreenPos();
         const ImVec2 max{min.x + ImGui::GetContentRegionAvail().x, min.y + 26};
         if (ImGui::InvisibleButton(("category." + category).c_str(), {max.x - min.x, 26})) m_category = category;
         ImDrawList& draw = *ImGui::GetWindowDrawList();
         const bool on = m_category == category;
-        if (on || ImGui::IsItemHovered()) draw.AddRectFilled(min, max, on ? IM_COL32(98, 68, 184, 140) : IM_COL32(255, 255, 255, 12), 3);
+        if (on || ImGui::IsItemHovered())
+            draw.AddRectFilled(min, max, on ? IM_COL32(98, 68, 184, 140) : IM_COL32(255, 255, 255, 12), 3);
         draw.AddText({min.x + 10, min.y + 5}, on ? IM_COL32_WHITE : palette::kText, text.c_str());
         const std::string number = std::to_string(count);
-        draw.AddText({max.x - ImGui::CalcTextSize(number.c_str()).x - 8, min.y + 5}, palette::kFaintText, number.c_str());
+        draw.AddText({max.x - ImGui::CalcTextSize(number.c_str()).x - 8, min.y + 5}, palette::kFaintText,
+                     number.c_str());
         mapItem("category", text, on);
     };
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2{0, 1});
@@ -133,7 +137,8 @@ void TemplatesPanel::card(Editor& editor, io::TemplateId id)
         const std::string caption = ui::fitted(name, m_size - 12);
         const float width = ImGui::CalcTextSize(caption.c_str()).x;
         draw.AddText({min.x + std::floor((m_size - width) / 2), max.y - kCaption + 4}, palette::kText, caption.c_str());
-        if (chosen) draw.AddRect(min, max, placing ? palette::kAccent : palette::kAccentDeep, 5, 0, placing ? 2.f : 1.5f);
+        if (chosen)
+            draw.AddRect(min, max, placing ? palette::kAccent : palette::kAccentDeep, 5, 0, placing ? 2.f : 1.5f);
     }
     ImGui::PopID();
 }
@@ -157,9 +162,11 @@ void TemplatesPanel::picture(Editor& editor, io::TemplateId id, ImVec2 min, floa
 std::string TemplatesPanel::cardTip(const Document& document, io::TemplateId id) const
 {
     std::size_t placed = 0;
-    for (const io::Object& object : document.scene().objects()) placed += object.templateId == id;
+    for (const io::Object& object : document.scene().objects())
+        placed += object.templateId == id;
     const io::Model* model = document.assets().model(id);
-    return trf("templates.tip", document.scene().templateName(id), grouped(model ? model->triangles() : 0), grouped(placed));
+    return trf("templates.tip", document.scene().templateName(id), grouped(model ? model->triangles() : 0),
+               grouped(placed));
 }
 
 void TemplatesPanel::cardMenu(Editor& editor, io::TemplateId id)

@@ -29,11 +29,11 @@ private:
     bool shown(const Document& document, io::TemplateId id) const;
 
     std::string m_search;
-    std::string m_category; // empty: all
-    std::map<std::string, int> m_categories; // and how many templates each has
+    std::string m_category;                    // empty: all
+    std::map<std::string, int> m_categories;   // and how many templates each has
     std::unordered_set<std::uint32_t> m_drawn; // templates whose picture exists already
-    float m_size = 92;      // pixels, side of a picture
-    int m_newPictures = 0;  // made in this frame
+    float m_size = 92;                         // pixels, side of a picture
+    int m_newPictures = 0;                     // made in this frame
 };
 
 } // namespace editor

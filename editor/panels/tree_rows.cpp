@@ -13,10 +13,12 @@ void TreeRows::follow(const Document& document, const io::Changes& changes)
         m_known.clear();
         m_openGroups.clear();
         m_openTemplates.clear();
-        for (const io::Object& object : document.scene().objects()) learn(document, object.id);
+        for (const io::Object& object : document.scene().objects())
+            learn(document, object.id);
         m_stale = true;
     }
-    for (const io::ObjectId id : changes.objects) m_stale |= learn(document, id);
+    for (const io::ObjectId id : changes.objects)
+        m_stale |= learn(document, id);
     m_stale |= !changes.templates.empty();
 }
 
@@ -49,8 +51,10 @@ void TreeRows::setOpen(const TreeRow& row, bool open)
 {
     auto& set = row.kind == TreeRow::Kind::Template ? m_openTemplates : m_openGroups;
     const std::uint32_t key = row.kind == TreeRow::Kind::Template ? io::number(row.templateId) : io::number(row.id);
-    if (open) set.insert(key);
-    else set.erase(key);
+    if (open)
+        set.insert(key);
+    else
+        set.erase(key);
     m_stale = true;
 }
 
@@ -87,20 +91,24 @@ void TreeRows::build(const Document& document)
     std::vector<io::ObjectId> groups, loose;
     for (const io::Object& object : document.scene().objects()) {
         if (object.parent != io::ObjectId::None && document.scene().find(object.parent)) continue;
-        if (object.templateId == io::TemplateId::None) groups.push_back(object.id);
-        else if (!m_byTemplate) loose.push_back(object.id);
-        else byTemplate[{std::string{document.scene().templateName(object.templateId)}, io::number(object.templateId)}].push_back(object.id);
+        if (object.templateId == io::TemplateId::None)
+            groups.push_back(object.id);
+        else if (!m_byTemplate)
+            loose.push_back(object.id);
+        else
+            byTemplate[{std::string{document.scene().templateName(object.templateId)}, io::number(object.templateId)}]
+                .push_back(object.id);
     }
     std::sort(groups.begin(), groups.end());
     std::sort(loose.begin(), loose.end());
-    for (const io::ObjectId id : groups) addGroup(document, id, 0);
+    for (const io::ObjectId id : groups)
+        addGroup(document, id, 0);
     for (auto& [name, members] : byTemplate) {
         std::sort(members.begin(), members.end());
         addTemplate(document, io::TemplateId{name.second}, members);
     }
     for (const io::ObjectId id : loose)
-        if (matches(document, id))
-            m_rows.push_back({.id = id, .templateId = document.scene().at(id).templateId});
+        if (matches(document, id)) m_rows.push_back({.id = id, .templateId = document.scene().at(id).templateId});
 }
 
 void TreeRows::addGroup(const Document& document, io::ObjectId id, int depth)
@@ -113,7 +121,8 @@ void TreeRows::addGroup(const Document& document, io::ObjectId id, int depth)
     if (!open) return;
     for (const io::ObjectId member : members) {
         const io::Object& object = document.scene().at(member);
-        if (object.templateId == io::TemplateId::None) addGroup(document, member, depth + 1);
+        if (object.templateId == io::TemplateId::None)
+            addGroup(document, member, depth + 1);
         else if (own || matches(document, member))
             m_rows.push_back({.id = member, .templateId = object.templateId, .depth = depth + 1});
     }
@@ -122,8 +131,11 @@ void TreeRows::addGroup(const Document& document, io::ObjectId id, int depth)
 void TreeRows::addTemplate(const Document& document, io::TemplateId id, const std::vector<io::ObjectId>& members)
 {
     std::vector<io::ObjectId> shown;
-    if (m_filter.empty()) shown = members;
-    else std::copy_if(members.begin(), members.end(), std::back_inserter(shown), [&](io::ObjectId m) { return matches(document, m); });
+    if (m_filter.empty())
+        shown = members;
+    else
+        std::copy_if(members.begin(), members.end(), std::back_inserter(shown),
+                     [&](io::ObjectId m) { return matches(document, m); });
     if (shown.empty()) return;
     const bool open = m_openTemplates.contains(io::number(id));
     m_rows.push_back({.kind = TreeRow::Kind::Template, .templateId = id, .count = shown.size(), .open = open});

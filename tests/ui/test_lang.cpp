@@ -31,7 +31,8 @@ std::map<std::string, std::string> textsOf(const std::string& code)
     std::map<std::string, std::string> texts;
     const io::Value all = language(code);
     for (const auto& [category, entries] : *all.asObject())
-        for (const auto& [key, text] : *entries.asObject()) texts[category + "." + key] = *text.asString();
+        for (const auto& [key, text] : *entries.asObject())
+            texts[category + "." + key] = *text.asString();
     return texts;
 }
 
@@ -39,7 +40,8 @@ Keys categories()
 {
     Keys result;
     const io::Value english = language("en");
-    for (const auto& [category, entries] : *english.asObject()) result.insert(category);
+    for (const auto& [category, entries] : *english.asObject())
+        result.insert(category);
     return result;
 }
 
@@ -58,7 +60,8 @@ Keys keysInSources()
                 const std::string category = (*at)[2], key = (*at)[3];
                 const bool asked = (*at)[1].matched;
                 const bool property = category == "environment" || category == "camera";
-                if (known.contains(category) && key != "json" && (asked || !property)) keys.insert(category + "." + key);
+                if (known.contains(category) && key != "json" && (asked || !property))
+                    keys.insert(category + "." + key);
             }
         }
     return keys;
@@ -69,8 +72,7 @@ struct KeysOfFields {
     std::string prefix, path;
     Keys& keys;
 
-    template <class T>
-    void operator()(const char* key, T& value, const io::Hint&)
+    template <class T> void operator()(const char* key, T& value, const io::Hint&)
     {
         if constexpr (editor::HasFields<T, KeysOfFields>) {
             keys.insert("section." + prefix + path + key);
@@ -79,13 +81,13 @@ struct KeysOfFields {
         } else {
             keys.insert("field." + prefix + path + key);
             if constexpr (editor::NamedEnum<T>)
-                for (const std::string_view name : enumNames(value)) keys.insert("value." + std::string{name});
+                for (const std::string_view name : enumNames(value))
+                    keys.insert("value." + std::string{name});
         }
     }
 };
 
-template <class T>
-void addFields(Keys& keys, const char* prefix)
+template <class T> void addFields(Keys& keys, const char* prefix)
 {
     T thing;
     KeysOfFields visitor{prefix, "", keys};
@@ -99,28 +101,37 @@ Keys computedKeys()
     addFields<io::Template>(keys, "template.");
     addFields<io::Transform>(keys, "object.");
     addFields<renderer::Settings>(keys, "render.");
-    for (const std::string_view name : enumNames(renderer::Show::Final)) keys.insert("show." + std::string{name});
+    for (const std::string_view name : enumNames(renderer::Show::Final))
+        keys.insert("show." + std::string{name});
     const test::Rig rig;
-    for (const editor::Action& action : rig.editor->actions().all()) keys.insert("action." + std::string{action.id});
-    for (const editor::Panel* panel : rig.editor->workspace().panels()) keys.insert("panel." + std::string{panel->id()});
-    for (const char* starter : {"valley", "empty"}) keys.insert("starter." + std::string{starter});
-    for (const char* entry : {"look", "fly", "speed", "dolly", "orbit", "pan", "click", "behind", "toggle", "box", "snap", "cancel"})
-        for (const char* part : {"", "_how"}) keys.insert(std::string{"keys."} + entry + part);
+    for (const editor::Action& action : rig.editor->actions().all())
+        keys.insert("action." + std::string{action.id});
+    for (const editor::Panel* panel : rig.editor->workspace().panels())
+        keys.insert("panel." + std::string{panel->id()});
+    for (const char* starter : {"valley", "empty"})
+        keys.insert("starter." + std::string{starter});
+    for (const char* entry :
+         {"look", "fly", "speed", "dolly", "orbit", "pan", "click", "behind", "toggle", "box", "snap", "cancel"})
+        for (const char* part : {"", "_how"})
+            keys.insert(std::string{"keys."} + entry + part);
     return keys;
 }
 
 TEST(Lang, BothLanguagesHoldTheSameKeys)
 {
     const auto english = textsOf("en"), czech = textsOf("cs");
-    for (const auto& [key, text] : english) EXPECT_TRUE(czech.contains(key)) << "cs.json lacks " << key;
-    for (const auto& [key, text] : czech) EXPECT_TRUE(english.contains(key)) << "en.json lacks " << key;
+    for (const auto& [key, text] : english)
+        EXPECT_TRUE(czech.contains(key)) << "cs.json lacks " << key;
+    for (const auto& [key, text] : czech)
+        EXPECT_TRUE(english.contains(key)) << "en.json lacks " << key;
 }
 
 TEST(Lang, NoTextIsMissing)
 {
     const auto english = textsOf("en");
     for (const Keys& keys : {keysInSources(), computedKeys()})
-        for (const std::string& key : keys) EXPECT_TRUE(english.contains(key)) << "no text for " << key;
+        for (const std::string& key : keys)
+            EXPECT_TRUE(english.contains(key)) << "no text for " << key;
 }
 
 TEST(Lang, NoTextIsUnused)

@@ -15,7 +15,8 @@ namespace {
 std::vector<io::ObjectId> ids(std::initializer_list<std::uint32_t> numbers)
 {
     std::vector<io::ObjectId> result;
-    for (const std::uint32_t n : numbers) result.push_back(io::ObjectId{n});
+    for (const std::uint32_t n : numbers)
+        result.push_back(io::ObjectId{n});
     return result;
 }
 
@@ -58,9 +59,36 @@ TEST(Panels, TypingSetsAllToTheSame)
     rig.hold(false);
     rig.type("2.5");
     rig.key({.key = Key::Enter});
-    for (const std::uint32_t id : {1, 2, 3}) EXPECT_EQ(rig.position(id).y, 2.5);
+    for (const std::uint32_t id : {1, 2, 3})
+        EXPECT_EQ(rig.position(id).y, 2.5);
     EXPECT_EQ(rig.position(2).x, 4);
     EXPECT_EQ(rig.document().history().names().size(), 1u);
+}
+
+TEST(Panels, TypingARelationKeepsDifferences)
+{
+    Rig rig;
+    rig.editor->selection().set(ids({1, 2, 3}));
+    rig.frame(2);
+    const auto typed = [&rig](const char* text) {
+        rig.hold(true);
+        rig.click("Position X", "number");
+        rig.hold(false);
+        rig.type(text);
+        rig.key({.key = Key::Enter});
+    };
+    typed("+=2");
+    EXPECT_EQ(rig.position(1).x, 2);
+    EXPECT_EQ(rig.position(3).x, 10);
+    typed("*=0.5");
+    EXPECT_EQ(rig.position(1).x, 1);
+    EXPECT_EQ(rig.position(3).x, 5);
+    EXPECT_EQ(rig.document().history().names().size(), 2u);
+    typed("+=nonsense");
+    typed("nan");
+    typed("1e999");
+    for (const std::uint32_t id : {1, 2, 3})
+        EXPECT_TRUE(std::isfinite(rig.position(id).x));
 }
 
 TEST(Panels, EnvironmentChangesGoThroughUndo)
@@ -178,6 +206,17 @@ TEST(Panels, AHundredThousandObjectsStayQuick)
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
     EXPECT_LT(took.count() / 20, 30) << "ms a frame";
     EXPECT_TRUE(rig.has("crate 5", "row"));
+}
+
+TEST(Panels, AllOfManyObjectsCanBeSelected)
+{
+    Rig rig{crates(20'000)};
+    rig.key(editor::ctrl(Key::A));
+    EXPECT_EQ(rig.editor->selection().size(), 20'000u);
+    const auto start = std::chrono::steady_clock::now();
+    rig.frame(10);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    EXPECT_LT(took.count() / 10, 30) << "ms a frame";
 }
 
 } // namespace

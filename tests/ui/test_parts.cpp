@@ -5,6 +5,7 @@
 #include "editor/scalars.h"
 #include "editor/search_text.h"
 #include "editor/text.h"
+#include "editor/typed_number.h"
 #include "tests/ui/support/rig.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,8 @@ TEST(Scalars, ReadInOrderAndWrittenByPlace)
     const std::vector<Scalar> all = editor::scalarsOf(transform);
     ASSERT_EQ(all.size(), 9u);
     EXPECT_EQ(all[4], Scalar{5.0});
-    editor::applyChanges(transform, {{.place = 1, .value = 20.0}, {.place = 8, .value = 0.0, .delta = 0.5, .relative = true}});
+    editor::applyChanges(transform,
+                         {{.place = 1, .value = 20.0}, {.place = 8, .value = 0.0, .relative = true, .delta = 0.5}});
     EXPECT_EQ(transform.position, (glm::dvec3{1, 20, 3}));
     EXPECT_EQ(transform.scale, (glm::vec3{7, 8, 9.5f}));
 }
@@ -69,6 +71,19 @@ TEST(TreeRows, MovingMakesNothingNew)
     rows.follow(*document, document->takeChanges());
     rows.update(*document);
     EXPECT_EQ(rows.rows().size(), 3u);
+}
+
+TEST(TypedNumber, IsANumberOrAChange)
+{
+    EXPECT_EQ(editor::typedNumber(" 2.5 ")->of(9), 2.5);
+    EXPECT_EQ(editor::typedNumber("-1,5")->of(9), -1.5);
+    EXPECT_EQ(editor::typedNumber("10:30")->of(9), 10.5);
+    EXPECT_EQ(editor::typedNumber("+=2")->of(9), 11);
+    EXPECT_EQ(editor::typedNumber("-= 2")->of(9), 7);
+    EXPECT_EQ(editor::typedNumber("*=2")->of(9), 18);
+    EXPECT_EQ(editor::typedNumber("/=2")->of(9), 4.5);
+    for (const char* text : {"", "nan", "inf", "1e999", "2x", "+=", "/=0", "1:75", "--2", "=", "\xc5\xa1"})
+        EXPECT_FALSE(editor::typedNumber(text)) << text;
 }
 
 TEST(Search, AccentsAndCaseDoNotMatter)

@@ -11,7 +11,8 @@ namespace {
 std::vector<std::uint32_t> selected(Rig& rig)
 {
     std::vector<std::uint32_t> ids;
-    for (const io::ObjectId id : rig.editor->selection().ids()) ids.push_back(io::number(id));
+    for (const io::ObjectId id : rig.editor->selection().ids())
+        ids.push_back(io::number(id));
     std::sort(ids.begin(), ids.end());
     return ids;
 }

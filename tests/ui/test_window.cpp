@@ -18,7 +18,8 @@ TEST(Window, ATabIsDraggedToAnotherRegion)
     Rig rig;
     const ImVec2 hierarchy = rig.at("Hierarchy", "tab");
     rig.drag(rig.at("Console", "tab"), {hierarchy.x + 100, hierarchy.y});
-    EXPECT_EQ(rig.editor->workspace().layout().at(Region::Left).panels, (std::vector<std::string>{"hierarchy", "console"}));
+    EXPECT_EQ(rig.editor->workspace().layout().at(Region::Left).panels,
+              (std::vector<std::string>{"hierarchy", "console"}));
     EXPECT_EQ(rig.editor->workspace().layout().at(Region::Left).front, "console");
 }
 
@@ -146,7 +147,8 @@ TEST(Window, ToolbarButtonAndMenuAreOneAction)
 TEST(Window, ClosingAsksWhenThereAreChanges)
 {
     Rig rig;
-    editor::edit(rig.document(), "Move", std::vector{io::ObjectId{1}}, [](io::Object& o) { o.transform.position.y = 3; });
+    editor::edit(rig.document(), "Move", std::vector{io::ObjectId{1}},
+                 [](io::Object& o) { o.transform.position.y = 3; });
     rig.frame();
     EXPECT_NE(rig.editor->title().find('*'), std::string::npos);
     rig.editor->requestClose();

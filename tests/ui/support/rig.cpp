@@ -17,7 +17,8 @@ constexpr float kSecond = 1 / 60.f;
 std::string labels(const io::Value& map)
 {
     std::string all;
-    for (const io::Value& item : *map.asArray()) all += *item.find("label")->asString() + " (" + *item.find("kind")->asString() + "), ";
+    for (const io::Value& item : *map.asArray())
+        all += *item.find("label")->asString() + " (" + *item.find("kind")->asString() + "), ";
     return all;
 }
 
@@ -31,11 +32,19 @@ std::shared_ptr<const io::HeightMap> flatGround()
 void mapKeys(ImGuiIO& io)
 {
     using editor::Key;
-    constexpr std::pair<ImGuiKey, Key> kKeys[] = {
-        {ImGuiKey_Tab, Key::Tab},     {ImGuiKey_Enter, Key::Enter},   {ImGuiKey_Escape, Key::Escape}, {ImGuiKey_Backspace, Key::Backspace},
-        {ImGuiKey_Delete, Key::Delete}, {ImGuiKey_A, Key::A},         {ImGuiKey_C, Key::C},           {ImGuiKey_V, Key::V},
-        {ImGuiKey_X, Key::X},         {ImGuiKey_Y, Key::Y},           {ImGuiKey_Z, Key::Z}};
-    for (const auto& [key, code] : kKeys) io.KeyMap[key] = int(code);
+    constexpr std::pair<ImGuiKey, Key> kKeys[] = {{ImGuiKey_Tab, Key::Tab},
+                                                  {ImGuiKey_Enter, Key::Enter},
+                                                  {ImGuiKey_Escape, Key::Escape},
+                                                  {ImGuiKey_Backspace, Key::Backspace},
+                                                  {ImGuiKey_Delete, Key::Delete},
+                                                  {ImGuiKey_A, Key::A},
+                                                  {ImGuiKey_C, Key::C},
+                                                  {ImGuiKey_V, Key::V},
+                                                  {ImGuiKey_X, Key::X},
+                                                  {ImGuiKey_Y, Key::Y},
+                                                  {ImGuiKey_Z, Key::Z}};
+    for (const auto& [key, code] : kKeys)
+        io.KeyMap[key] = int(code);
 }
 
 } // namespace
@@ -55,7 +64,8 @@ std::unique_ptr<editor::Document> crates(int count)
 {
     io::World world{.project = {.folder = "/nowhere", .name = "Test"}, .entry = {.name = "main"}};
     const io::TemplateId crate = world.scene.templateSlot("crate"), post = world.scene.templateSlot("post");
-    world.scene.exchange(crate, io::Template{.name = "crate", .category = "Things", .model = "models/crate.glb", .yaw = {0, 0}});
+    world.scene.exchange(
+        crate, io::Template{.name = "crate", .category = "Things", .model = "models/crate.glb", .yaw = {0, 0}});
     world.scene.exchange(post, io::Template{.name = "post", .category = "Markers"});
     for (int i = 0; i < count; ++i) {
         io::Object object{.id = world.scene.freshId(), .templateId = crate};
@@ -139,7 +149,8 @@ void Rig::drag(ImVec2 from, ImVec2 to, int button)
     move(from);
     press(button);
     for (int i = 1; i <= kSteps; ++i) {
-        ImGui::GetIO().MousePos = {from.x + (to.x - from.x) * float(i) / kSteps, from.y + (to.y - from.y) * float(i) / kSteps};
+        ImGui::GetIO().MousePos = {from.x + (to.x - from.x) * float(i) / kSteps,
+                                   from.y + (to.y - from.y) * float(i) / kSteps};
         frame();
     }
     release(button);

@@ -19,11 +19,13 @@ public:
     void setLanguage(const std::string& code) override;
     std::vector<std::filesystem::path> recentProjects() const override { return recent; }
     void addRecentProject(const std::filesystem::path& project) override { recent.push_back(project); }
+    bool loadsInBackground() const override { return background; }
     io::Value settings() const override { return saved; }
     void saveSettings(const io::Value& settings) override { saved = settings; }
 
     std::vector<std::filesystem::path> recent;
     io::Value saved;
+    bool background = false;
 
 private:
     std::string m_language = "en";
@@ -54,7 +56,10 @@ public:
     ImVec2 at(std::string_view label, std::string_view kind = {}, std::string_view panel = {});
     bool has(std::string_view label, std::string_view kind = {}, std::string_view panel = {});
     io::Value value(std::string_view label, std::string_view kind = {});
-    void click(std::string_view label, std::string_view kind = {}, std::string_view panel = {}) { click(at(label, kind, panel)); }
+    void click(std::string_view label, std::string_view kind = {}, std::string_view panel = {})
+    {
+        click(at(label, kind, panel));
+    }
     ImVec2 onScreen(const glm::dvec3& world); // in the viewport
 
     editor::Document& document() { return *editor->document(); }

@@ -1,0 +1,87 @@
+#include "editor/loading.h"
+
+#include "editor/text.h"
+#include "editor/widgets.h"
+
+#include <algorithm>
+
+namespace editor {
+
+void Loading::start(std::filesystem::path project, std::string scene)
+{
+    EXPECTS(!running());
+    m_name =
+        project.filename() == "project.json" ? project.parent_path().filename().string() : project.filename().string();
+    m_cancelled = false;
+    m_fraction = 0;
+    m_step.clear();
+    m_done = false;
+    m_thread = std::thread{[this, project = std::move(project), scene = std::move(scene)] { read(project, scene); }};
+}
+
+void Loading::read(const std::filesystem::path& project, const std::string& scene)
+{
+    auto opened = Document::open(project, scene, [this](float fraction, std::string_view step) {
+        m_fraction = fraction;
+        const std::lock_guard lock{m_mutex};
+        m_step = step;
+        return !m_cancelled;
+    });
+    if (opened)
+        m_document = std::move(opened.value());
+    else
+        m_error = opened.error();
+    m_done = true;
+}
+
+void Loading::cancel()
+{
+    if (!running()) return;
+    m_cancelled = true;
+    m_thread.join();
+    m_document.reset();
+}
+
+std::optional<Loading::Opened> Loading::finished()
+{
+    if (!running() || !m_done) return {};
+    m_thread.join();
+    if (m_document) return Opened{std::move(m_document)};
+    return Opened{m_error};
+}
+
+void Loading::draw()
+{
+    constexpr float kWidth = 420;
+    if (!running()) return;
+    if (!ImGui::IsPopupOpen("##loading")) ImGui::OpenPopup("##loading");
+    const MapPanel map{"dialog"};
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({display.x / 2, display.y * 0.46f}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({kWidth, 0}, {kWidth, display.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{20, 18});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6);
+    const bool open = ImGui::BeginPopupModal("##loading", nullptr,
+                                             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PopStyleVar(2);
+    if (!open) return;
+    ui::heading(trf("loading.title", m_name).c_str());
+    {
+        const std::lock_guard lock{m_mutex};
+        ui::softText(m_step.empty() ? tr("loading.begins") : ui::fitted(m_step, kWidth - 40).c_str());
+    }
+    const float fraction = std::clamp(m_fraction.load(), 0.f, 1.f);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled({at.x, at.y + 4}, {at.x + kWidth - 40, at.y + 10}, palette::kField, 3);
+    if (fraction > 0.01f)
+        draw.AddRectFilled({at.x, at.y + 4}, {at.x + (kWidth - 40) * fraction, at.y + 10}, palette::kAccent, 3);
+    ImGui::Dummy({0, 20});
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 120);
+    if (ui::button("cancel", tr("dialog.cancel"), ui::Emphasis::Normal, {120, 0})) cancel();
+    if (!running()) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+} // namespace editor
