@@ -25,6 +25,7 @@ struct Spheres {
 struct CullRequest {
     std::optional<Volume> volume;   // none: all are inside
     glm::dvec3 eye{0};
+    std::optional<glm::dvec3> towardSun; // of a view by parallel light
     float smallestAngle = 0;        // radius / distance under which a thing is dropped
     float smallestRadius = 0;       // m, the same for parallel light
     std::uint8_t required = 0;      // flags

@@ -1,12 +1,14 @@
 #include "renderer/draw_list.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <tuple>
 
 namespace renderer {
 namespace {
 
-// Slots sorted by bin, each bin in the order of the slots: the same picture whatever was culled around it.
+// Slots sorted by bin.
 struct Binned {
     std::vector<std::uint32_t> begin; // of each bin in `slots`, and one past the end
     std::vector<std::uint32_t> slots;
@@ -14,17 +16,61 @@ struct Binned {
     std::uint32_t count(std::size_t bin) const { return begin[bin + 1] - begin[bin]; }
 };
 
+// Distance from where the light or the sight comes; only the order counts.
+class Distance {
+public:
+    explicit Distance(const DrawSource& source) : m_spheres{source.spheres}, m_eye{source.eye}
+    {
+        if (source.towardSun) m_away = -glm::vec3{*source.towardSun};
+        m_parallel = source.towardSun.has_value();
+    }
+    float operator()(std::uint32_t slot) const
+    {
+        if (!m_spheres) return 0;
+        const glm::vec3 centre{m_spheres->x[slot], m_spheres->y[slot], m_spheres->z[slot]};
+        return m_parallel ? glm::dot(centre, m_away) : glm::length(centre - m_eye);
+    }
+
+private:
+    const Spheres* m_spheres;
+    glm::vec3 m_eye, m_away{0};
+    bool m_parallel = false;
+};
+
+// Roughly from front to back, so that near things hide far ones before those are shaded. A counting sort: the order
+// within a step of distance stays.
+std::vector<std::uint32_t> frontToBack(const DrawSource& source)
+{
+    constexpr std::size_t kSteps = 512;
+    const Distance distance{source};
+    std::vector<float> keys(source.visible.size());
+    std::ranges::transform(source.visible, keys.begin(), distance);
+    const auto [low, high] = std::ranges::minmax(keys);
+    const float scale = high > low ? float(kSteps - 1) / (high - low) : 0.0f;
+    const auto stepOf = [&](float key) { return std::size_t((key - low) * scale); };
+    std::array<std::uint32_t, kSteps + 1> next{};
+    for (const float key : keys)
+        ++next[stepOf(key) + 1];
+    for (std::size_t i = 1; i < next.size(); ++i)
+        next[i] += next[i - 1];
+    std::vector<std::uint32_t> sorted(source.visible.size());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        sorted[next[stepOf(keys[i])]++] = source.visible[i];
+    return sorted;
+}
+
 Binned binned(const DrawSource& source)
 {
+    const std::vector<std::uint32_t> visible = frontToBack(source);
     Binned result;
     result.begin.assign(std::size_t(source.models.size()) * 2 + 1, 0);
-    for (const std::uint32_t slot : source.visible)
+    for (const std::uint32_t slot : visible)
         ++result.begin[source.bins[slot] + 1];
     for (std::size_t i = 1; i < result.begin.size(); ++i)
         result.begin[i] += result.begin[i - 1];
-    result.slots.resize(source.visible.size());
+    result.slots.resize(visible.size());
     std::vector<std::uint32_t> next = result.begin;
-    for (const std::uint32_t slot : source.visible)
+    for (const std::uint32_t slot : visible)
         result.slots[next[source.bins[slot]]++] = slot;
     return result;
 }
@@ -66,12 +112,16 @@ std::vector<PartInBatch> opaqueParts(const ModelLibrary& models, const Binned& b
         for (const ModelPart& part : models.entry(int(bin / 2)).parts)
             if (!models.batches()[std::size_t(part.batch)].blend) parts.push_back({part.batch, bin, &part});
     }
-    std::ranges::stable_sort(parts, {}, [](const PartInBatch& p) { return std::pair{p.batch, p.bin % 2}; });
+    // What has no holes first: it hides most and costs least.
+    std::ranges::stable_sort(parts, {}, [&](const PartInBatch& p) {
+        const bool masked = models.batches()[std::size_t(p.batch)].features & kFeatureMask;
+        return std::tuple{masked, p.batch, p.bin % 2};
+    });
     return parts;
 }
 
 struct BlendedPart {
-    float distance = 0; // squared
+    float distance = 0;
     std::uint32_t index = 0; // in the instance list
     std::uint32_t bin = 0;
     const ModelPart* part = nullptr;
@@ -80,13 +130,7 @@ struct BlendedPart {
 std::vector<BlendedPart> blendedParts(const DrawSource& source, const Binned& bins)
 {
     std::vector<BlendedPart> parts;
-    const glm::vec3 eye{source.eye};
-    const auto distance = [&](std::uint32_t slot) {
-        if (!source.spheres) return 0.0f;
-        const Spheres& s = *source.spheres;
-        const glm::vec3 d = glm::vec3{s.x[slot], s.y[slot], s.z[slot]} - eye;
-        return glm::dot(d, d);
-    };
+    const Distance distance{source};
     for (std::uint32_t bin = 0; bin + 1 < bins.begin.size(); ++bin)
         for (const ModelPart& part : source.models.entry(int(bin / 2)).parts) {
             if (bins.count(bin) == 0 || !source.models.batches()[std::size_t(part.batch)].blend) continue;

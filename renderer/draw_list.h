@@ -5,6 +5,7 @@
 #include "renderer/gpu_frame.h"
 #include "renderer/model_library.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,8 +38,9 @@ struct DrawSource {
     std::span<const std::uint32_t> bins;    // by slot: model * 2 + mirrored
     std::span<const std::uint32_t> visible; // slots
     bool blended = true;                    // blended parts too
-    const Spheres* spheres = nullptr;       // to sort those from back to front
+    const Spheres* spheres = nullptr;       // to sort by distance; none: drawn as they come
     glm::dvec3 eye{0};
+    std::optional<glm::dvec3> towardSun;    // of parallel light: distance is counted from there
 };
 DrawList makeDrawList(GpuStream& stream, const DrawSource& source);
 

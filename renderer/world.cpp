@@ -216,7 +216,8 @@ DrawList World::draws(GpuStream& stream, const CullRequest& request, bool blende
                                  .visible = m_visible,
                                  .blended = blended,
                                  .spheres = &m_spheres,
-                                 .eye = request.eye});
+                                 .eye = request.eye,
+                                 .towardSun = request.towardSun});
 }
 
 io::WorldBox World::boundsOf(std::span<const io::ObjectId> ids) const

@@ -70,7 +70,10 @@ void ShadowPass::renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint&
     const std::optional<Volume> volume = culling ? std::optional{cascade.volume} : std::nullopt;
     World& world = scenery.world;
     const DrawList list = world.draws(gpu.stream(),
-                                      {.volume = volume, .smallestRadius = float(cascade.texel * 0.5), .required = kCastsShadow},
+                                      {.volume = volume,
+                                       .towardSun = viewpoint.towardSun,
+                                       .smallestRadius = float(cascade.texel * 0.5),
+                                       .required = kCastsShadow},
                                       false);
     drawRanges(gpu, m_objects, world.models(), list, list.opaque, [&](const DrawRange& range) {
         const Batch& batch = world.models().batches()[std::size_t(range.batch)];
