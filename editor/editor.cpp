@@ -82,7 +82,7 @@ bool Editor::open(const std::filesystem::path& project, std::string_view scene)
 
 void Editor::openLater(const std::filesystem::path& project, const std::string& scene)
 {
-    if (!m_host.loadsInBackground())
+    if (m_host.repeatable())
         open(project, scene);
     else if (!m_loading.running())
         m_loading.start(project, scene);

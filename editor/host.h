@@ -25,9 +25,9 @@ public:
     virtual std::vector<std::filesystem::path> recentProjects() const = 0; // newest first
     virtual void addRecentProject(const std::filesystem::path& project) = 0;
 
-    // Whether a project that a person opens is read beside the window. False: while the window waits, so that a replay
-    // does the same each time.
-    virtual bool loadsInBackground() const { return false; }
+    // True where the same input must give the same pictures however fast the machine is, as in a replay: then projects
+    // are read while the window waits, and a moving picture is never drawn coarser to be quicker.
+    virtual bool repeatable() const { return true; }
 
     virtual std::vector<std::filesystem::path> shippedWorlds() const { return {}; } // for the start page
 

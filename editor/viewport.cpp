@@ -11,8 +11,10 @@
 namespace editor {
 namespace {
 
-constexpr double kSpeedShown = 1.5; // s
-constexpr double kClickSlack = 4;   // pixels a click may move
+constexpr double kSpeedShown = 1.5;                   // s
+constexpr double kClickSlack = 4;                     // pixels a click may move
+constexpr double kScales[] = {1, 0.7, 0.5, 0.35};     // of the picture's size, by coarseness
+constexpr double kSlow = 1 / 18.0, kQuick = 1 / 50.0; // s a frame: coarser, finer
 
 glm::dvec2 mouseDelta()
 {
@@ -105,11 +107,27 @@ void Viewport::draw(Editor& editor)
     contextMenu(editor);
 }
 
+// Ids are read from the picture only while the eye rests, so a coarse one is never asked.
+void Viewport::chooseCoarseness(Editor& editor)
+{
+    const bool moving = m_drag == Drag::Look || m_drag == Drag::Orbit || m_drag == Drag::Pan || camera.moving();
+    if (!moving || editor.host().repeatable()) {
+        m_coarseness = 0;
+    } else if (editor.frameSeconds() > kSlow) {
+        m_coarseness = std::min(m_coarseness + 1, int(std::size(kScales)) - 1);
+    } else if (editor.frameSeconds() < kQuick) {
+        m_coarseness = std::max(m_coarseness - 1, 0);
+    }
+}
+
 void Viewport::drawPicture(Editor& editor)
 {
     if (!editor.renderer()) return;
     editor.follow();
-    const renderer::Picture picture = editor.renderer()->render(frameInput(editor));
+    chooseCoarseness(editor);
+    renderer::FrameInput input = frameInput(editor);
+    input.size = glm::max(glm::ivec2{glm::dvec2{m_size} * kScales[m_coarseness]}, glm::ivec2{1});
+    const renderer::Picture picture = editor.renderer()->render(input);
     const ImVec2 max{m_min.x + float(m_size.x), m_min.y + float(m_size.y)};
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(picture.texture), m_min, max, {0, 1}, {1, 0});
 }

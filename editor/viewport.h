@@ -49,6 +49,7 @@ private:
     enum class Drag { None, Look, Orbit, Pan, Click, Box, Gizmo, Place };
 
     void drawPicture(Editor& editor);
+    void chooseCoarseness(Editor& editor);
     void input(Editor& editor, double seconds);
     void press(Editor& editor);
     void pressLeft(Editor& editor);
@@ -84,6 +85,7 @@ private:
 
     ImVec2 m_min{0, 0};
     glm::ivec2 m_size{1, 1};
+    int m_coarseness = 0; // step of kScales, while the eye moves on a machine that is too slow
     bool m_hovered = false;
     Drag m_drag = Drag::None;
     glm::dvec2 m_pressed{0};

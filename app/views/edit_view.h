@@ -37,7 +37,7 @@ private:
     std::vector<std::filesystem::path> recentProjects() const override;
     void addRecentProject(const std::filesystem::path& project) override;
     std::vector<std::filesystem::path> shippedWorlds() const override;
-    bool loadsInBackground() const override { return m_options.replay.empty(); }
+    bool repeatable() const override { return !m_options.replay.empty(); }
     io::Value settings() const override { return m_settings.editor(); }
     void saveSettings(const io::Value& settings) override;
 

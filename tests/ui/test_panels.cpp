@@ -196,15 +196,25 @@ TEST(Panels, HistoryGoesBack)
     EXPECT_EQ(rig.position(1).y, 0);
 }
 
+// The quickest of some frames, ms: other programs on the machine do not count.
+double frameMs(Rig& rig)
+{
+    double best = 1e9;
+    for (int i = 0; i < 20; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        rig.frame();
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+        best = std::min(best, took.count());
+    }
+    return best;
+}
+
 TEST(Panels, AHundredThousandObjectsStayQuick)
 {
     Rig rig{crates(100'000)};
     rig.editor->selection().set(io::ObjectId{5});
     rig.frame(5);
-    const auto start = std::chrono::steady_clock::now();
-    rig.frame(20);
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(took.count() / 20, 30) << "ms a frame";
+    EXPECT_LT(frameMs(rig), 16);
     EXPECT_TRUE(rig.has("crate 5", "row"));
 }
 
@@ -213,10 +223,7 @@ TEST(Panels, AllOfManyObjectsCanBeSelected)
     Rig rig{crates(20'000)};
     rig.key(editor::ctrl(Key::A));
     EXPECT_EQ(rig.editor->selection().size(), 20'000u);
-    const auto start = std::chrono::steady_clock::now();
-    rig.frame(10);
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(took.count() / 10, 30) << "ms a frame";
+    EXPECT_LT(frameMs(rig), 16);
 }
 
 } // namespace

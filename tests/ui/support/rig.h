@@ -19,7 +19,7 @@ public:
     void setLanguage(const std::string& code) override;
     std::vector<std::filesystem::path> recentProjects() const override { return recent; }
     void addRecentProject(const std::filesystem::path& project) override { recent.push_back(project); }
-    bool loadsInBackground() const override { return background; }
+    bool repeatable() const override { return !background; }
     io::Value settings() const override { return saved; }
     void saveSettings(const io::Value& settings) override { saved = settings; }
 
