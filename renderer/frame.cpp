@@ -16,6 +16,7 @@ Picture Renderer::State::render(const FrameInput& in)
 {
     shaders.reloadIfDue();
     GpuFrame gpu{stream, timers, stats, empty};
+    scenery.groundShadow.update(scenery.terrain.heights(), io::towardSun(scenery.environment));
     const Viewpoint viewpoint = look(in);
     canvas.resize("picture", viewpoint.eye.size);
     scenery.world.select(in.selection);
@@ -58,7 +59,8 @@ Viewpoint Renderer::State::look(const FrameInput& in) const
                        .settings = in.settings,
                        .eye = v.eye,
                        .time = in.time,
-                       .cascades = v.cascades});
+                       .cascades = v.cascades,
+                       .groundShadow = scenery.groundShadow.placement(v.eye.position)});
     return v;
 }
 

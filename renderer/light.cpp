@@ -14,7 +14,7 @@ constexpr double kCloudPeriod = kCloudTile * 100; // a whole number of repeats o
 glm::vec3 nightSky(double sunHeight)
 {
     const double night = glm::smoothstep(-std::sin(glm::radians(5.0)), -std::sin(glm::radians(14.0)), sunHeight);
-    return glm::vec3{0.0016f, 0.0026f, 0.0052f} * float(night);
+    return glm::vec3{0.0021f, 0.0034f, 0.0064f} * float(night);
 }
 
 void addShadows(glsl::Light& light, const io::Shadows& shadows, std::span<const Cascade> cascades)
@@ -104,6 +104,7 @@ glsl::Light lightOf(const LightInput& input)
     light.sunRadius = float(radius);
     light.sunSolidAngle = float(4 * std::numbers::pi * std::pow(std::sin(radius / 2), 2));
     light.skyFloor = nightSky(towardSun.y);
+    light.groundShadow = input.groundShadow;
     addShadows(light, e.shadows, input.cascades);
     addFog(light, e.fog, input.settings.fog, eyeHeight);
     addClouds(light, e.clouds, input.settings.clouds, input.eye, input.time);

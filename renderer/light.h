@@ -21,6 +21,7 @@ struct LightInput {
     const Eye& eye;
     double time = 0; // s, moves clouds
     std::span<const Cascade> cascades;
+    glm::vec4 groundShadow{0}; // where its texture lies
 };
 glsl::Light lightOf(const LightInput& input);
 

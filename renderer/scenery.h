@@ -3,6 +3,7 @@
 
 #include "io/scene/environment.h"
 #include "renderer/eye.h"
+#include "renderer/ground_shadow.h"
 #include "renderer/light.h"
 #include "renderer/terrain.h"
 #include "renderer/world.h"
@@ -12,6 +13,7 @@ namespace renderer {
 struct Scenery {
     World world;
     Terrain terrain;
+    GroundShadow groundShadow;
     io::Environment environment;
 };
 

@@ -32,7 +32,7 @@ public:
     int layers() const { return m_block.layers; } // at least 1
     io::WorldBox bounds() const;
     std::uint64_t revision() const { return m_revision; }
-    const io::HeightMap* heights() const { return m_map.get(); }
+    const std::shared_ptr<const io::HeightMap>& heights() const { return m_map; }
 
 private:
     void uploadHeights();

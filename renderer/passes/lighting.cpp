@@ -47,16 +47,19 @@ Radiance& LightingPass::render(GpuFrame& gpu, const GBuffer& surfaces, const Vie
     return m_radiance;
 }
 
-SkyPass::SkyPass(ShaderLibrary& shaders)
-    : m_clear{shaders.fullScreen("sky")}, m_cloudy{shaders.fullScreen("sky", {"CLOUDS"})}
+SkyPass::SkyPass(ShaderLibrary& shaders) : m_shaders{shaders}
 {
+    shaders.fullScreen("sky", {"CLOUDS"});
 }
 
 void SkyPass::render(GpuFrame& gpu, Radiance& radiance, const Viewpoint& viewpoint)
 {
     const auto scope = gpu.scope("sky");
     radiance.framebuffer.bind();
-    gpu.fullScreen(viewpoint.light.cloudsOn > 0 ? m_cloudy : m_clear, {.depthTest = kWhereSkyIs}, {});
+    std::vector<std::string> defines;
+    if (viewpoint.light.cloudsOn > 0) defines.emplace_back("CLOUDS");
+    if (viewpoint.light.skyFloor.g > 0) defines.emplace_back("STARS");
+    gpu.fullScreen(m_shaders.fullScreen("sky", std::move(defines)), {.depthTest = kWhereSkyIs}, {});
 }
 
 FogPass::FogPass(ShaderLibrary& shaders)

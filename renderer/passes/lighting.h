@@ -32,7 +32,7 @@ public:
     void render(GpuFrame& gpu, Radiance& radiance, const Viewpoint& viewpoint);
 
 private:
-    const gl::Program &m_clear, &m_cloudy;
+    ShaderLibrary& m_shaders;
 };
 
 class FogPass {

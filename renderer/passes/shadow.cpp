@@ -34,6 +34,7 @@ void ShadowPass::resize(int resolution, int layers)
 const gl::Texture& ShadowPass::render(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Settings& settings)
 {
     const auto scope = gpu.scope("shadows");
+    gpu.bind({{GROUND_SHADOW_UNIT, &scenery.groundShadow.texture()}});
     if (viewpoint.cascades.empty()) {
         gpu.bind({{SHADOW_UNIT, &m_lit}});
         return m_lit;

@@ -69,6 +69,15 @@ float filteredShadow(vec3 place, int cascade)
 #endif
 }
 
+// Beyond the shadow maps: whether a mountain stands before the sun.
+float sunOverGround(vec3 relative)
+{
+    vec2 place = relative.xz * light.groundShadow.xy + light.groundShadow.zw;
+    float shadow = textureLod(groundShadow, place, 0.0).r - view.eyeHeight;
+    float soft = 1.5 + length(relative) * 0.004;
+    return smoothstep(-soft, soft, relative.y - shadow + soft);
+}
+
 // Share of the sun that reaches a place.
 float sunVisibility(vec3 relative, vec3 normal, vec2 pixel)
 {
@@ -80,7 +89,7 @@ float sunVisibility(vec3 relative, vec3 normal, vec2 pixel)
     vec3 place = (light.shadowFromRelative[cascade] * vec4(relative + normal * lift, 1.0)).xyz;
     float lit = filteredShadow(place, cascade);
     float beyond = light.cascadeEnd[light.cascades - 1];
-    return mix(lit, 1.0, smoothstep(beyond * 0.92, beyond, viewDepth));
+    return mix(lit, sunOverGround(relative), smoothstep(beyond * 0.92, beyond, viewDepth));
 #else
     return 1.0;
 #endif

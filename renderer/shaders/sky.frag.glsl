@@ -1,6 +1,7 @@
 // The sky where nothing stands before it: scattered light, the sun's disc, clouds.
 #include "clouds.glsl"
 #include "fog.glsl"
+#include "octahedron.glsl"
 #include "shared/atmosphere.h"
 #include "sky_tables.glsl"
 #include "view.glsl"
@@ -23,6 +24,26 @@ vec3 sunDisc(vec3 direction)
     vec3 through = transmittanceToSpace(altitude, direction.y) * step(horizonCosine(altitude), direction.y);
     return light.sunAbove * through * limb / mean * (inside / light.sunSolidAngle);
 }
+
+#ifdef STARS
+// One star in some cells of a grid over the octahedron of directions.
+vec3 stars(vec3 direction)
+{
+    const float kCells = 170.0;
+    vec2 place = octahedral(direction.xzy) * kCells;
+    vec2 cell = floor(place);
+    uvec2 c = uvec2(ivec2(cell) + 4096);
+    uint h = (c.x * 0x8da6b343u) ^ (c.y * 0xd8163841u);
+    h = (h ^ (h >> 15)) * 0x2c1b3c6du;
+    h ^= h >> 13;
+    vec2 centre = cell + 0.15 + 0.7 * vec2(h & 0xffu, (h >> 8) & 0xffu) / 255.0;
+    float magnitude = float((h >> 16) & 0xffu) / 255.0;
+    float reach = 1.5 * view.pixelAngle * kCells / 1.57; // about a pixel
+    float glow = max(1.0 - length(place - centre) / max(reach, 0.05), 0.0);
+    vec3 tint = mix(vec3(1.0, 0.85, 0.7), vec3(0.75, 0.85, 1.0), float(h >> 24) / 255.0);
+    return tint * light.skyFloor.g * 60.0 * pow(magnitude, 14.0) * glow * smoothstep(0.0, 0.2, direction.y);
+}
+#endif
 
 #ifdef CLOUDS
 // Mixes the cloud layer over `sky`.
@@ -67,6 +88,9 @@ void main()
     float azimuth = azimuthFromSun(direction);
     vec3 sky = skyView(azimuth, asin(clamp(direction.y, -1.0, 1.0))) * light.sunAbove + nightSky(direction.y);
     vec3 disc = sunDisc(direction);
+#ifdef STARS
+    disc += stars(direction);
+#endif
 #ifdef CLOUDS
     vec3 colour = direction.y > 0.0 && light.cloudAltitude > 0.0 ? withClouds(sky, disc, direction) : sky + disc;
 #else

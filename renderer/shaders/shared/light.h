@@ -23,9 +23,10 @@ struct Light {
     float cloudEdge;    float cloudWidth;     // value of the field where clouds begin, and range over which they thicken
     vec2 cloudOrigin;   vec2 cloudWind;       // eye in the tiling cloud field, m; unit
     vec3 sunAtClouds;   float unused;         // irradiance at the height of the clouds
+    vec4 groundShadow;                        // to the texture: uv = relative.xz * xy + zw
     Atmosphere atmosphere;
 };
-SHARED_STRUCT_END(Light, 496)
+SHARED_STRUCT_END(Light, 512)
 
 // What the sky gives to surfaces, integrated on the GPU when the sky changes.
 struct SkyLight {
