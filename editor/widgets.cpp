@@ -238,13 +238,16 @@ void propertyLabel(std::string_view label, std::string_view unit, bool strong)
 
 void tooltip(const char* text)
 {
+    constexpr float kDelay = 0.35f; // s that the pointer rests on the item
+    if (ImGui::GetCurrentContext()->HoveredId != 0 && ImGui::GetCurrentContext()->HoveredIdTimer < kDelay) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 4);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{10, 7});
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(380);
     ImGui::TextUnformatted(text);
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
 }
 
 void heading(const char* text)
