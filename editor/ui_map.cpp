@@ -45,7 +45,8 @@ void mapItem(std::string_view kind, std::string_view label, io::Value value)
 
 void mapRect(std::string_view kind, std::string_view label, ImVec2 min, ImVec2 max, io::Value value)
 {
-    const ImGuiWindow& window = *ImGui::GetCurrentWindow();
+    // The reading form: the other marks ImGui's fallback window as used, which then shows itself as "Debug".
+    const ImGuiWindow& window = *ImGui::GetCurrentWindowRead();
     ImRect seen{min, max};
     const ImRect display{{0, 0}, ImGui::GetIO().DisplaySize};
     seen.ClipWith(window.IsFallbackWindow ? display : window.ClipRect);
