@@ -235,7 +235,8 @@ Status recoverTransactions(const fs::path& folder)
 Status writeFile(const fs::path& file, std::string_view bytes)
 {
     std::error_code error;
-    const fs::path target = fs::weakly_canonical(file, error); // a link keeps pointing at what is written
+    // Absolute first, so that a bare name has a folder; canonical, so that a link keeps pointing at what is written.
+    const fs::path target = fs::weakly_canonical(fs::absolute(file), error);
     if (error) return Error{file.string(), "cannot be resolved: " + error.message()};
     if (holds(target, bytes)) return {};
     if (Status made = disk::makeFolders(target.parent_path()); !made) return made;

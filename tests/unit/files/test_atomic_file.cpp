@@ -189,6 +189,17 @@ TEST(WriteFile, KeepsPermissionsAndFollowsLinks)
     EXPECT_EQ(about.st_mode & 0777, 0600u);
 }
 
+TEST(WriteFile, TakesABareNameInTheCurrentFolder)
+{
+    const TemporaryFolder folder;
+    const fs::path before = fs::current_path();
+    fs::current_path(folder / "");
+    const Status written = writeFile("picture.png", "bytes");
+    fs::current_path(before);
+    ASSERT_TRUE(written) << written.error().text();
+    EXPECT_EQ(get(folder / "picture.png"), "bytes");
+}
+
 TEST(ReadFile, TakesOnlyRegularFilesUpToALimit)
 {
     const TemporaryFolder folder;
