@@ -124,7 +124,7 @@ void addBeam(Mesh& mesh, const Beam& beam)
     const float length = glm::length(along);
     const glm::vec3 axis = along / length;
     const Frame frame = frameAlong(axis, glm::cross(beam.up, axis));
-    const glm::vec3 x = frame.right * (beam.width / 2), y = -frame.forward * (beam.height / 2);
+    const glm::vec3 x = frame.right * (beam.width / 2), y = frame.forward * (beam.height / 2);
     const float u0 = (float(beam.board % 4) + 0.06f) / 4, u1 = (float(beam.board % 4) + 0.94f) / 4;
     const float v0 = unitOf(hash(std::uint32_t(beam.board))), v1 = v0 + length / 1.6f;
     const auto face = [&](glm::vec3 centre, glm::vec3 across, glm::vec3 lengthwise, glm::vec2 uvLow, glm::vec2 uvHigh) {
@@ -141,7 +141,7 @@ void addBeam(Mesh& mesh, const Beam& beam)
     for (const float s : {-1.0f, 1.0f}) {
         face(middle + x * s, -y * s, half, {u0, v0}, {u1, v1});
         face(middle + y * s, x * s, half, {u0, v0}, {u1, v1});
-        face(middle + half * s, x * s, y, {u0, v0}, {u1, v0 + 0.06f});
+        face(middle + half * s, y * s, x, {u0, v0}, {u1, v0 + 0.06f});
     }
 }
 
