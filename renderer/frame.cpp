@@ -6,6 +6,7 @@
 namespace renderer {
 namespace {
 
+constexpr int kLargestSide = 16384;      // pixels; every OpenGL 4.5 has textures of that size
 constexpr double kSmallestPixels = 0.6; // diameter under which an object is left out
 
 } // namespace
@@ -50,7 +51,7 @@ Viewpoint Renderer::State::look(const FrameInput& in) const
     io::Environment environment = scenery.environment;
     environment.shadows = capped(environment.shadows, in.settings);
     Viewpoint v;
-    v.eye = eyeOf(in.camera, glm::max(in.size, glm::ivec2{1}));
+    v.eye = eyeOf(in.camera, glm::clamp(in.size, 1, kLargestSide));
     v.towardSun = io::towardSun(environment);
     v.view = viewBlock(v.eye, v.eye.clipFromRelative, in.time, environment.exposure);
     const bool sunUp = v.towardSun.y > -0.02;

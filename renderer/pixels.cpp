@@ -53,8 +53,28 @@ float channel(const io::Image& image, int x, int y, int c, bool srgb)
     return 0;
 }
 
+// The common case, by table: eight bits, three or four channels.
+Plane planeOfBytes(const io::Image& image, bool srgb)
+{
+    static const auto linear = [] {
+        std::array<float, 256> values{};
+        for (int i = 0; i < 256; ++i)
+            values[std::size_t(i)] = float(i) / 255;
+        return values;
+    }();
+    const std::array<float, 256>& colour = srgb ? decodeTable() : linear;
+    const auto* from = reinterpret_cast<const std::uint8_t*>(image.bytes.data());
+    Plane plane(std::size_t(image.size.x) * image.size.y);
+    for (glm::vec4& texel : plane) {
+        texel = {colour[from[0]], colour[from[1]], colour[from[2]], image.channels == 4 ? linear[from[3]] : 1.0f};
+        from += image.channels;
+    }
+    return plane;
+}
+
 Plane planeOf(const io::Image& image, ColourSpace space)
 {
+    if (image.type == io::PixelType::U8 && image.channels >= 3) return planeOfBytes(image, space == ColourSpace::Srgb);
     const bool srgb = space == ColourSpace::Srgb;
     const bool grey = image.channels < 3;
     const bool alpha = image.channels == 2 || image.channels == 4;

@@ -57,6 +57,7 @@ gl::Texture layerArray(std::string_view label, const Images& images, ColourSpace
                        .layers = std::max(int(images.size()), 1),
                        .mips = gl::fullMipCount(glm::ivec2{side}),
                        .wrap = GL_REPEAT,
+                       .anisotropic = true,
                        .lodBias = -0.6f}}; // the ground mostly runs away from the eye
     for (std::size_t layer = 0; layer < images.size(); ++layer) {
         if (!images[layer]) continue;

@@ -16,7 +16,8 @@ gl::Texture makeArray(int side, ColourSpace space, int layers)
                         .layers = layers,
                         .format = GL_RGBA8,
                         .mips = gl::fullMipCount(glm::ivec2{side}),
-                        .wrap = GL_REPEAT}};
+                        .wrap = GL_REPEAT,
+                        .anisotropic = true}};
 }
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t value)

@@ -37,7 +37,14 @@ void World::update(const io::Scene& scene, const io::Assets& assets, const io::C
     if (!changes.templates.empty()) updateTemplates(scene, assets, changes.templates);
     for (const io::ObjectId id : changes.objects)
         updateObject(scene, id);
+    if (wasteful()) return rebuild(scene, assets);
     m_models.upload();
+}
+
+// Models that were replaced stay in the buffers; when they outnumber those in use, all is packed anew.
+bool World::wasteful() const
+{
+    return m_models.size() > 2 * int(m_templates.size()) + 8;
 }
 
 void World::rebuild(const io::Scene& scene, const io::Assets& assets)

@@ -36,6 +36,7 @@ public:
 
 private:
     void rebuild(const io::Scene& scene, const io::Assets& assets);
+    bool wasteful() const;
     void updateTemplates(const io::Scene& scene, const io::Assets& assets, std::span<const io::TemplateId> ids);
     void readTemplate(const io::Scene& scene, const io::Assets& assets, io::TemplateId id);
     void updateObject(const io::Scene& scene, io::ObjectId id);

@@ -62,11 +62,19 @@ struct Part {
     int material = 0;             // into Model::materials
 };
 
+// A coarser stand-in for the whole model, for when it is small in the picture.
+struct Level {
+    float error = 0;                    // m, model space: how far its surface strays from the full model's
+    std::vector<std::uint32_t> indices; // into Model::vertices, as Model::indices
+    std::vector<Part> parts;            // ranges of this level's indices
+};
+
 struct Model {
     std::string name;
-    std::vector<Vertex> vertices;
+    std::vector<Vertex> vertices;       // those that only levels use stand after the full model's
     std::vector<std::uint32_t> indices; // counter-clockwise is the front
     std::vector<Part> parts;
+    std::vector<Level> levels;          // coarser and coarser, errors rising; none: drawn in full at any distance
     std::vector<Material> materials;    // at least one
     std::vector<std::shared_ptr<const Image>> images; // null: could not be read, drawn as a checkerboard
     Box bounds;

@@ -29,6 +29,20 @@ std::uint64_t bytesOf(const TextureDesc& desc)
     return texels * bytesPerTexel(desc.format) * std::max(desc.layers, 1);
 }
 
+// Software GL pays for every sample, so it goes without.
+float anisotropy()
+{
+    static const float best = [] {
+        const std::string_view device{reinterpret_cast<const char*>(glGetString(GL_RENDERER))};
+        const bool software = device.find("llvmpipe") != device.npos || device.find("softpipe") != device.npos;
+        if (software || !epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) return 1.0f;
+        GLfloat most = 1;
+        glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+        return std::min(most, 8.0f);
+    }();
+    return best;
+}
+
 void setSampling(GLuint id, const TextureDesc& desc)
 {
     const bool linear = desc.filter == GL_LINEAR;
@@ -42,7 +56,7 @@ void setSampling(GLuint id, const TextureDesc& desc)
         glTextureParameteri(id, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
     }
     if (desc.lodBias != 0) glTextureParameterf(id, GL_TEXTURE_LOD_BIAS, desc.lodBias);
-    if (desc.anisotropy > 1) glTextureParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, desc.anisotropy);
+    if (desc.anisotropic && anisotropy() > 1) glTextureParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropy());
 }
 
 } // namespace

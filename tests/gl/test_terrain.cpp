@@ -1,4 +1,5 @@
 // The ground has no holes, and near the eye it is the height map itself.
+#include "renderer/ground_shadow.h"
 #include "renderer/terrain_tree.h"
 #include "tests/gl/support/shared_renderer.h"
 
@@ -53,6 +54,58 @@ TEST(Terrain, AnySizeIsDrawn)
         EXPECT_LT(empty, wide ? 1 : kSize.x * kSize.y) << size.x << " x " << size.y;
     }
     EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
+// A map of 16 m, so that the position buffer, which repeats each 16 m, says plainly where a pixel's ground lies.
+TEST(Terrain, NearTheEyeItIsTheTrianglesOfTheMap)
+{
+    auto map = std::make_shared<io::HeightMap>(*test::heightMap({17, 17}, 1, [](double x, double z) {
+        const unsigned h = (unsigned(int(x) + 99) * 73856093u ^ unsigned(int(z) + 99) * 19349663u) * 2654435761u;
+        return 5 + double(h >> 16) / 65536.0 * 2.5;
+    }));
+    map->origin = {0, 0};
+    test::TestWorld world;
+    world.scene.exchange(io::Terrain{.heightMap = "terrain/map.png"});
+    world.assets.heights = map;
+    test::load(world);
+    const io::Camera camera{.eye = {8.3, 19, 8.1}, .yaw = 20, .pitch = -84, .fov = 35};
+    renderer::FrameInput in = test::frame(kSize, camera);
+    in.show = renderer::Show::Position;
+    test::shared().render(in);
+    const io::Image image = test::shared().readPicture();
+    const auto ids = test::shared().readIds({0, 0}, kSize);
+    int compared = 0, off = 0;
+    for (int y = 4; y < kSize.y; y += 3)
+        for (int x = 4; x < kSize.x; x += 3) {
+            if (ids[std::size_t(y * kSize.x + x)] != renderer::kTerrainId) continue;
+            const glm::dvec3 shown = glm::dvec3{image.row<glm::u8vec4>(y)[x]} / 255.0 * 16.0;
+            const io::Ray ray = renderer::rayThrough(camera, kSize, {x + 0.5, y + 0.5});
+            const glm::dvec3 place = ray.origin + ray.direction * ((shown.y - ray.origin.y) / ray.direction.y);
+            const auto height = map->height(place.x, place.z);
+            if (!height) continue;
+            ++compared;
+            off += std::abs(*height - shown.y) > 0.2; // steps of 6 cm, slopes of up to 2.5
+        }
+    EXPECT_GT(compared, 3000);
+    EXPECT_LE(off, compared / 50);
+}
+
+TEST(GroundShadow, AWallShadesAsFarAsTheSunIsLow)
+{
+    constexpr glm::ivec2 kCells{64, 8};
+    std::vector<float> heights(64 * 8, 0);
+    for (int z = 0; z < 8; ++z)
+        heights[std::size_t(z) * 64 + 40] = 10;
+    // The sun stands in +X, at 45 degrees: the wall of 10 m at column 40 shades 10 cells of 1 m before it.
+    const auto shadow = renderer::shadowHeights(kCells, heights, 1, glm::normalize(glm::dvec3{1, 1, 0}));
+    const auto at = [&](int x) { return shadow[std::size_t(4) * 64 + std::size_t(x)]; };
+    EXPECT_NEAR(at(39), 9, 1e-4);
+    EXPECT_NEAR(at(31), 1, 1e-4);
+    EXPECT_LE(at(29), 0);
+    EXPECT_LE(at(45), 0) << "towards the sun it is light";
+    const auto other = renderer::shadowHeights(kCells, heights, 1, glm::normalize(glm::dvec3{-1, 1, 0}));
+    EXPECT_NEAR(other[4 * 64 + 41], 9, 1e-4);
+    EXPECT_LT(renderer::shadowHeights(kCells, heights, 1, {0, 1, 0})[4 * 64 + 39], -1000) << "overhead nothing is shaded";
 }
 
 TEST(TerrainTree, CoversEachTexelOnceAndIsFineNearTheEye)

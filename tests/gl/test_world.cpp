@@ -44,6 +44,19 @@ TEST_F(WorldTest, MovingOneObjectUploadsOneRecord)
     EXPECT_EQ(m.gpu.modelOf(io::TemplateId::None), -1);
 }
 
+TEST_F(WorldTest, ReplacedModelsDoNotPileUp)
+{
+    Mirror m{test::makeWorld({.heightMap = {0, 0}, .trees = 3, .boxes = 2}), {}};
+    m.update({.everything = true});
+    for (int i = 0; i < 60; ++i) {
+        m.world.assets.models[1] = test::box({1, 1 + float(i), 1}, glm::vec4{1});
+        m.update({.templates = {io::TemplateId{2}}});
+    }
+    EXPECT_LT(m.gpu.models().size(), 20);
+    EXPECT_EQ(m.gpu.instances(), 5u);
+    EXPECT_FLOAT_EQ(m.gpu.models().entry(m.gpu.modelOf(io::TemplateId{2})).bounds.max.y, 60);
+}
+
 TEST_F(WorldTest, GroupsAndUnknownTemplatesAreNotDrawn)
 {
     Mirror m;
