@@ -19,7 +19,7 @@ io::Status mend(const std::filesystem::path& project)
     const auto start = io::openWorld(project, {}, complaints);
     if (!start) return start.error();
     for (const io::SceneEntry& entry : start->project.scenes) {
-        const auto world = io::openWorld(project, entry.name, complaints);
+        auto world = io::openWorld(project, entry.name, complaints);
         if (!world) return world.error();
         const auto saved = io::saveWorld(*world);
         if (!saved) return saved.error();

@@ -57,6 +57,8 @@ void fields(auto& v, Of<ProjectBody> auto& p)
     v("paths", p.paths, Hint{});
 }
 
+constexpr Hint kIdHint{.min = 1, .max = kHighestId};
+
 // All of a scene's file but its objects, which come after it, one a line.
 struct SceneBody {
     std::string environment;
@@ -76,7 +78,7 @@ struct ObjectLine : Object {};
 void fields(auto& v, Of<ObjectLine> auto& line)
 {
     using Plain = std::conditional_t<std::is_const_v<std::remove_reference_t<decltype(line)>>, const Object, Object>;
-    v("id", line.id, Hint{.min = 1});
+    v("id", line.id, kIdHint);
     fields(v, static_cast<Plain&>(line));
 }
 

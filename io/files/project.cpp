@@ -170,7 +170,7 @@ Result<World> openWorld(const fs::path& project, std::string_view scene, Complai
     return world;
 }
 
-Result<FileTransaction::Report> saveWorld(const World& world)
+Result<FileTransaction::Report> saveWorld(World& world)
 {
     const fs::path& folder = world.project.folder;
     const std::string environmentFile =
@@ -190,7 +190,11 @@ Result<FileTransaction::Report> saveWorld(const World& world)
         };
         addIfChanged(transaction, folder, templateFile(slot.name), *slot.value, templateText(*slot.value), read);
     }
-    return transaction.commit();
+    Result<FileTransaction::Report> report = transaction.commit();
+    if (report)
+        for (const Object& object : world.scene.objects())
+            world.scene.lastSavedId = std::max(world.scene.lastSavedId, object.id);
+    return report;
 }
 
 } // namespace io

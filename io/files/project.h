@@ -41,8 +41,8 @@ struct World {
 // was cut off. An error is a world that cannot be opened; complaints are what was mended or left out.
 Result<World> openWorld(const std::filesystem::path& project, std::string_view scene, Complaints& complaints);
 
-// The whole world as one transaction; what did not change is not written.
-Result<FileTransaction::Report> saveWorld(const World& world);
+// The whole world as one transaction; what did not change is not written. The world remembers what its files hold.
+Result<FileTransaction::Report> saveWorld(World& world);
 
 // Models, height map and layer images that the scene names. What cannot be read is complained about and replaced
 // by a stand-in, so that the rest can be worked on. An error only when cancelled.

@@ -10,7 +10,16 @@ namespace io {
 namespace {
 
 constexpr const char* kFormat = "wold-scene";
+constexpr std::string_view kLastId = "last_id";
 constexpr float kSmallestScale = 1e-6f;
+
+ObjectId highestId(const Scene& scene)
+{
+    ObjectId highest = ObjectId::None;
+    for (const Object& object : scene.objects())
+        highest = std::max(highest, object.id);
+    return highest;
+}
 
 // Finds slots by name faster than the scene's own search, for a million objects.
 class TemplateNames {
@@ -45,6 +54,9 @@ public:
             return m_source.complain(Severity::Error, startOf(list), "objects: expected a list in brackets");
         for (auto item : list.get_array())
             readOne(item.value());
+    }
+    void finish() // when all ids are known
+    {
         for (auto& [object, at] : m_nameless)
             m_scene.exchange(m_scene.freshId(), std::move(object));
         mendParents();
@@ -176,13 +188,21 @@ Result<std::string> readSceneText(std::string text, const std::string& name, Sce
     Source source{name, std::string_view{text}.substr(0, size), found};
     source.templateNamed = TemplateNames{scene, source};
     ObjectsReader objects{scene, source};
+    ObjectId last = ObjectId::None;
     Result<SceneBody> body =
-        readHeaded<SceneBody>(source, kFormat, [&](std::string_view key, JsonValue& value, const Place&) {
-            if (key != "objects") return false;
-            objects.read(value);
+        readHeaded<SceneBody>(source, kFormat, [&](std::string_view key, JsonValue& value, const Place& place) {
+            if (key == kLastId)
+                readLeaf(last, value, kIdHint, place, source);
+            else if (key == "objects")
+                objects.read(value);
+            else
+                return false;
             return true;
         });
     if (!body) return body.error();
+    scene.takeIdsUpTo(last);
+    objects.finish();
+    scene.lastSavedId = std::max(last, highestId(scene));
     source.finish();
     complaints.insert(complaints.end(), found.begin(), found.end());
     scene.exchange(std::move(body->terrain));
@@ -198,12 +218,17 @@ std::string sceneText(const Scene& scene, const std::string& environmentFile)
     out += '{';
     const Headed<SceneBody> head{kFormat, kFileVersion, {environmentFile, scene.terrain(), {}}};
     fields(writer, head);
+    const std::vector<ObjectId> ids = scene.sortedIds();
+    if (scene.lastSavedId > (ids.empty() ? ObjectId::None : ids.back())) {
+        writer.name(kLastId);
+        appendNumber(out, double(number(scene.lastSavedId)));
+    }
     writer.extras();
     writer.name("objects");
     out += '[';
     LineWriter lines{out, scene};
     bool first = true;
-    for (const ObjectId id : scene.sortedIds()) {
+    for (const ObjectId id : ids) {
         out += std::exchange(first, false) ? "\n" : ",\n";
         lines.line(scene.at(id));
     }

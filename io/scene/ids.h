@@ -11,6 +11,9 @@ enum class ObjectId : std::uint32_t { None = 0 };
 // A slot in the scene's table of templates. Slots are not reused while the scene is loaded.
 enum class TemplateId : std::uint32_t { None = 0 };
 
+// The highest that a file may name, far enough from the end of 32 bits that fresh ones do not run out.
+constexpr std::uint32_t kHighestId = 4'000'000'000;
+
 constexpr std::uint32_t number(ObjectId id)
 {
     return static_cast<std::uint32_t>(id);

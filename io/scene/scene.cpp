@@ -66,6 +66,11 @@ ObjectId Scene::freshId()
     return ObjectId{++m_lastId};
 }
 
+void Scene::takeIdsUpTo(ObjectId last)
+{
+    m_lastId = std::max(m_lastId, number(last));
+}
+
 TemplateId Scene::templateSlot(std::string_view name)
 {
     if (const TemplateId known = findTemplate(name); known != TemplateId::None) return known;
@@ -77,7 +82,7 @@ std::optional<Object> Scene::exchange(ObjectId id, std::optional<Object> object)
 {
     EXPECTS(id != ObjectId::None);
     const auto found = m_indexOf.find(number(id));
-    m_lastId = std::max(m_lastId, number(id));
+    takeIdsUpTo(id);
     if (object) object->id = id;
 
     if (found == m_indexOf.end()) {

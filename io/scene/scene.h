@@ -47,6 +47,7 @@ public:
 
     // Ids and slots that no one has used. They are taken by being handed out.
     ObjectId freshId();
+    void takeIdsUpTo(ObjectId last);
     TemplateId templateSlot(std::string_view name); // the slot of that name, made when there is none
 
     // The only mutators. Each sets what is given (an empty value removes) and answers what was there.
@@ -61,6 +62,8 @@ public:
 
     // Keys of the scene's own file that this version does not know.
     Extra extra;
+    // The highest id that a file of this scene ever held. The object may be gone; its id stays taken.
+    ObjectId lastSavedId = ObjectId::None;
 
 private:
     std::vector<Object> m_objects;

@@ -108,7 +108,7 @@ TEST(Project, SavingWithoutAChangeWritesNothing)
     const TemporaryFolder folder;
     writeSample(folder.path());
     const auto before = filesIn(folder.path());
-    const Opened opened{folder.path()};
+    Opened opened{folder.path()};
     const Result<FileTransaction::Report> report = saveWorld(*opened.world);
     ASSERT_TRUE(report);
     EXPECT_TRUE(report->written.empty());
@@ -129,6 +129,35 @@ TEST(Project, SavingWritesOnlyTheFilesThatChanged)
     opened.world->scene.exchange(opened.world->scene.templateSlot("new"), Template{});
     EXPECT_EQ(saveWorld(*opened.world)->written.size(), 2u); // the template, and its name in project.json
     EXPECT_TRUE(sameContent(Opened(folder.path()).world->scene, opened.world->scene));
+}
+
+TEST(Project, TheHighestIdDoesNotReturnAfterItsObjectWasDeletedAndSaved)
+{
+    const TemporaryFolder folder;
+    writeSample(folder.path());
+    const auto before = filesIn(folder.path());
+    Opened opened{folder.path()};
+    EXPECT_EQ(number(opened.world->scene.freshId()), 4u); // tried and undone: no file held it
+    ASSERT_TRUE(saveWorld(*opened.world));
+    EXPECT_EQ(filesIn(folder.path()), before);
+
+    const auto last = opened.world->scene.exchange(ObjectId{3}, std::nullopt);
+    ASSERT_TRUE(saveWorld(*opened.world));
+    const auto deleted = filesIn(folder.path());
+    Opened again{folder.path()};
+    EXPECT_EQ(listed(again.complaints), "");
+    EXPECT_TRUE(saveWorld(*again.world)->written.empty());
+    EXPECT_EQ(number(again.world->scene.freshId()), 4u);
+
+    again.world->scene.exchange(ObjectId{3}, last); // the deletion undone: the file is as it was
+    ASSERT_TRUE(saveWorld(*again.world));
+    EXPECT_EQ(filesIn(folder.path()), before);
+
+    opened.world->scene.exchange(ObjectId{9}, last); // saved once and deleted in one sitting
+    ASSERT_TRUE(saveWorld(*opened.world));
+    opened.world->scene.exchange(ObjectId{9}, std::nullopt);
+    ASSERT_TRUE(saveWorld(*opened.world));
+    EXPECT_EQ(number(Opened(folder.path()).world->scene.freshId()), 10u);
 }
 
 TEST(Project, FilesLaidOutByHandStayUntilTheyChange)
@@ -224,7 +253,7 @@ TEST(Project, ASaveThatIsKilledLeavesOldOrNew)
 {
     const TemporaryFolder folder;
     writeSample(folder.path());
-    const World old = *Opened(folder.path()).world;
+    World old = *Opened(folder.path()).world;
     World changed = old;
     changed.scene.exchange(ObjectId{1}, std::nullopt);
     changed.scene.exchange(std::vector<Camera>{});

@@ -146,8 +146,7 @@ TEST(SceneFile, FaultsOfObjectsAreNamedWithTheirLine)
               "s.json:2: template: expected a text in quotes, found 7\n");
     EXPECT_EQ(Read{sceneOf(R"({"id":-1,"template":"oak"})")}.faults().substr(0, 15), "s.json:2: id: -");
     EXPECT_EQ(Read{sceneOf(R"({"id":4294967296,"template":"oak"})")}.faults(),
-              "s.json:2: id: 4294967296 is too large\n"
-              "s.json:2: id: missing; the object gets a new one\n");
+              "s.json:2: id: 4294967296 is outside 1 to 4000000000\n");
     EXPECT_EQ(Read{sceneOf("5")}.faults(), "s.json:2: objects: expected an object in braces; left out\n");
     EXPECT_EQ(Read{R"({"format":"wold-scene","version":1,"environment":"e","objects":{}})"}.faults(),
               "s.json:1: objects: expected a list in brackets\n");
@@ -170,6 +169,36 @@ TEST(SceneFile, ObjectsWithoutIdGetFreshOnes)
     EXPECT_EQ(read.scene.objects().size(), 2u);
     ASSERT_NE(read.scene.find(ObjectId{6}), nullptr);
     EXPECT_EQ(read.scene.templateName(read.scene.at(ObjectId{6}).templateId), "oak");
+}
+
+TEST(SceneFile, TheLastIdIsWrittenWhereNoObjectHasItAnyMore)
+{
+    Scene scene = smallScene();
+    scene.lastSavedId = ObjectId{12};
+    EXPECT_EQ(sceneText(scene, "environments/day.json"), kSmallText);
+    scene.lastSavedId = ObjectId{17};
+    const std::string text = sceneText(scene, "e");
+    EXPECT_NE(text.find("},\n  \"last_id\": 17,\n  \"objects\": ["), std::string::npos) << text;
+    Read read{text};
+    EXPECT_EQ(read.faults(), "s.json:16: age: unknown key; kept as it is\n");
+    EXPECT_EQ(sceneText(read.scene, "e"), text);
+    EXPECT_EQ(number(read.scene.freshId()), 18u);
+}
+
+TEST(SceneFile, AnyLastIdLeavesRoomForFreshOnes)
+{
+    Read below{R"({"format":"wold-scene","version":1,"environment":"e","objects":[{"template":"oak"},
+{"id":5,"template":"oak"}],"last_id":2})"};
+    EXPECT_EQ(below.faults(), "s.json:1: id: missing; the object gets a new one\n");
+    EXPECT_NE(below.scene.find(ObjectId{6}), nullptr);
+    Read above{R"({"format":"wold-scene","version":1,"environment":"e","objects":[{"template":"oak"}],"last_id":7})"};
+    EXPECT_NE(above.scene.find(ObjectId{8}), nullptr); // wherever the key stands
+    Read wrong{R"({"format":"wold-scene","version":1,"environment":"e","objects":[],"last_id":4294967295})"};
+    EXPECT_EQ(wrong.faults(), "s.json:1: last_id: 4294967295 is outside 1 to 4000000000\n");
+    EXPECT_GT(number(wrong.scene.freshId()), 0u);
+    Read last{sceneOf("{\"id\":4294967295,\"template\":\"oak\"}")};
+    EXPECT_EQ(last.faults(), "s.json:2: id: 4294967295 is outside 1 to 4000000000\n");
+    EXPECT_GT(number(last.scene.freshId()), 0u);
 }
 
 TEST(SceneFile, ParentsThatAreMissingOrCircularAreRemoved)
