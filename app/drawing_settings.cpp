@@ -12,8 +12,7 @@ namespace {
 struct Coming {
     std::string_view key, now;
 };
-constexpr std::array<Coming, 8> kComing{{{"occlusion", "off"},
-                                         {"lod", "off"},
+constexpr std::array<Coming, 7> kComing{{{"occlusion", "off"},
                                          {"ao", "off"},
                                          {"grass", "off"},
                                          {"bloom", "off"},
@@ -45,12 +44,13 @@ struct Tier {
     Quality quality;
     int cascades, shadowMap;
     float shadowDistance; // m
+    float lodPixels;
     renderer::AntiAliasing antiAliasing;
 };
-constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, renderer::AntiAliasing::Off},
-                                      {Quality::Medium, 3, 1024, 250, renderer::AntiAliasing::Fxaa},
-                                      {Quality::High, 4, 2048, 1000, renderer::AntiAliasing::Fxaa},
-                                      {Quality::Ultra, 4, 8192, 1e6f, renderer::AntiAliasing::Fxaa}}};
+constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, 2.5f, renderer::AntiAliasing::Off},
+                                      {Quality::Medium, 3, 1024, 250, 1.75f, renderer::AntiAliasing::Fxaa},
+                                      {Quality::High, 4, 2048, 1000, 1, renderer::AntiAliasing::Fxaa},
+                                      {Quality::Ultra, 4, 8192, 1e6f, 0.6f, renderer::AntiAliasing::Fxaa}}};
 
 } // namespace
 
@@ -83,6 +83,7 @@ void applyQuality(Quality quality, std::string_view device, renderer::Settings& 
         settings.mostCascades = tier.cascades;
         settings.largestShadowMap = tier.shadowMap;
         settings.farthestShadow = tier.shadowDistance;
+        settings.lodPixels = tier.lodPixels;
         settings.antiAliasing = tier.antiAliasing;
     }
 }

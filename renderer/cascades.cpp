@@ -7,6 +7,8 @@ namespace renderer {
 namespace {
 
 constexpr double kFirstDepth = 0.5; // m; splits are counted from here, for nothing nearer needs a cascade of its own
+constexpr int kSteps = 8;           // a box moves by whole steps of this part of its width, so that its map can be kept
+constexpr int kFilterTexels = 12;   // room for the filter
 
 struct Sphere {
     double depth = 0; // m, of its centre along the camera's axis
@@ -63,11 +65,12 @@ std::vector<Cascade> cascadesOf(const Eye& eye, const io::Shadows& shadows, cons
     for (const double end : cascadeEnds(shadows)) {
         const Sphere sphere = sphereAround(begin, end, eye.tanHalfFov * eye.aspect, eye.tanHalfFov);
         Cascade c{.beginDepth = begin, .endDepth = end};
-        c.radius = roundedUp(sphere.radius * resolution / (resolution - 12.0)); // room for the filter
+        const int step = resolution / kSteps; // texels; the slice lies up to half a step from the box's middle
+        c.radius = roundedUp(sphere.radius * resolution / double(resolution - kFilterTexels - step));
         c.texel = 2 * c.radius / resolution;
 
         const glm::dvec3 centre = axes * (eye.position + eye.forward * sphere.depth);
-        c.snapped = {std::floor(centre.x / c.texel) * c.texel, std::floor(centre.y / c.texel) * c.texel, centre.z};
+        c.snapped = glm::round(centre / (c.texel * step)) * (c.texel * step);
 
         // clip = ((axes * (relative + eye)) - snapped) / radius; what is nearer to the sun is pressed onto depth 0.
         const glm::dvec3 offset = axes * eye.position - c.snapped;

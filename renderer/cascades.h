@@ -1,5 +1,5 @@
-// Where the shadow maps lie: one sphere a slice of the view, its box snapped to texels of the world, so that shadows
-// stand still while the camera moves and turns.
+// Where the shadow maps lie: one sphere a slice of the view, in a box that moves by large steps of whole texels of the
+// world, so that shadows stand still while the camera moves and turns, and most maps serve many frames.
 #pragma once
 
 #include "io/scene/environment.h"

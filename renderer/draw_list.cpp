@@ -8,10 +8,10 @@
 namespace renderer {
 namespace {
 
-// Slots sorted by bin.
+// What is seen, sorted by bin.
 struct Binned {
-    std::vector<std::uint32_t> begin; // of each bin in `slots`, and one past the end
-    std::vector<std::uint32_t> slots;
+    std::vector<std::uint32_t> begin; // of each bin in `drawn`, and one past the end
+    std::vector<std::uint32_t> drawn;
 
     std::uint32_t count(std::size_t bin) const { return begin[bin + 1] - begin[bin]; }
 };
@@ -19,32 +19,32 @@ struct Binned {
 // Distance from where the light or the sight comes; only the order counts.
 class Distance {
 public:
-    explicit Distance(const DrawSource& source) : m_spheres{source.spheres}, m_eye{source.eye}
+    explicit Distance(const DrawSource& source) : m_records{source.records}, m_eye{source.eye}
     {
         if (source.towardSun) m_away = -glm::vec3{*source.towardSun};
         m_parallel = source.towardSun.has_value();
     }
-    float operator()(std::uint32_t slot) const
+    float operator()(std::uint32_t drawn) const
     {
-        if (!m_spheres) return 0;
-        const glm::vec3 centre{m_spheres->x[slot], m_spheres->y[slot], m_spheres->z[slot]};
+        if (m_records.empty()) return 0;
+        const glm::vec3 centre = m_records[drawn & DRAWN_SLOT_MASK].centre;
         return m_parallel ? glm::dot(centre, m_away) : glm::length(centre - m_eye);
     }
 
 private:
-    const Spheres* m_spheres;
+    std::span<const glsl::CullRecord> m_records;
     glm::vec3 m_eye, m_away{0};
     bool m_parallel = false;
 };
 
 // Roughly from front to back, so that near things hide far ones before those are shaded. A counting sort: the order
 // within a step of distance stays.
-std::vector<std::uint32_t> frontToBack(const DrawSource& source)
+std::vector<Seen> frontToBack(const DrawSource& source)
 {
     constexpr std::size_t kSteps = 512;
     const Distance distance{source};
-    std::vector<float> keys(source.visible.size());
-    std::ranges::transform(source.visible, keys.begin(), distance);
+    std::vector<float> keys(source.seen.size());
+    std::ranges::transform(source.seen, keys.begin(), distance, &Seen::drawn);
     const auto [low, high] = std::ranges::minmax(keys);
     const float scale = high > low ? float(kSteps - 1) / (high - low) : 0.0f;
     const auto stepOf = [&](float key) { return std::size_t((key - low) * scale); };
@@ -53,25 +53,25 @@ std::vector<std::uint32_t> frontToBack(const DrawSource& source)
         ++next[stepOf(key) + 1];
     for (std::size_t i = 1; i < next.size(); ++i)
         next[i] += next[i - 1];
-    std::vector<std::uint32_t> sorted(source.visible.size());
+    std::vector<Seen> sorted(source.seen.size());
     for (std::size_t i = 0; i < keys.size(); ++i)
-        sorted[next[stepOf(keys[i])]++] = source.visible[i];
+        sorted[next[stepOf(keys[i])]++] = source.seen[i];
     return sorted;
 }
 
 Binned binned(const DrawSource& source)
 {
-    const std::vector<std::uint32_t> visible = frontToBack(source);
+    const std::vector<Seen> seen = frontToBack(source);
     Binned result;
-    result.begin.assign(std::size_t(source.models.size()) * 2 + 1, 0);
-    for (const std::uint32_t slot : visible)
-        ++result.begin[source.bins[slot] + 1];
+    result.begin.assign(source.models.bins().size() + 1, 0);
+    for (const Seen& one : seen)
+        ++result.begin[one.bin + 1];
     for (std::size_t i = 1; i < result.begin.size(); ++i)
         result.begin[i] += result.begin[i - 1];
-    result.slots.resize(visible.size());
+    result.drawn.resize(seen.size());
     std::vector<std::uint32_t> next = result.begin;
-    for (const std::uint32_t slot : visible)
-        result.slots[next[source.bins[slot]]++] = slot;
+    for (const Seen& one : seen)
+        result.drawn[next[one.bin]++] = one.drawn;
     return result;
 }
 
@@ -80,20 +80,27 @@ DrawCommand commandOf(const ModelPart& part, std::uint32_t instances, std::uint3
     return {.count = part.indexCount, .instanceCount = instances, .firstIndex = part.firstIndex, .baseInstance = first};
 }
 
-// Appends commands range by range; neighbours of one batch and one handedness share a range.
+// Appends commands range by range; neighbours that are drawn alike share a range.
 class Writer {
 public:
-    explicit Writer(std::vector<DrawCommand>& commands) : m_commands{commands} {}
-    void add(std::vector<DrawRange>& ranges, int batch, bool mirrored, const DrawCommand& command)
+    Writer(DrawList& list, std::vector<DrawCommand>& commands) : m_list{list}, m_commands{commands} {}
+    void add(std::vector<DrawRange>& ranges, int batch, const Bin& bin, const DrawCommand& command)
     {
-        if (ranges.empty() || ranges.back().batch != batch || ranges.back().mirrored != mirrored)
-            ranges.push_back({.batch = batch, .mirrored = mirrored, .commandOffset = m_commands.size() * sizeof(DrawCommand)});
+        if (ranges.empty() || ranges.back().batch != batch || ranges.back().mirrored != bin.mirrored ||
+            ranges.back().fading != bin.fading)
+            ranges.push_back({.batch = batch,
+                              .mirrored = bin.mirrored,
+                              .fading = bin.fading,
+                              .commandOffset = m_commands.size() * sizeof(DrawCommand)});
         m_commands.push_back(command);
         ++ranges.back().commands;
-        ranges.back().triangles += std::uint64_t(command.count / 3) * command.instanceCount;
+        const std::uint64_t triangles = std::uint64_t(command.count / 3) * command.instanceCount;
+        ranges.back().triangles += triangles;
+        m_list.trianglesOfLevel[std::size_t(bin.level)] += triangles;
     }
 
 private:
+    DrawList& m_list;
     std::vector<DrawCommand>& m_commands;
 };
 
@@ -103,19 +110,25 @@ struct PartInBatch {
     const ModelPart* part = nullptr;
 };
 
-// The opaque parts of models that are seen at all, grouped by batch.
+std::span<const ModelPart> partsOf(const ModelLibrary& models, std::uint32_t bin)
+{
+    const Bin& which = models.bins()[bin];
+    return models.entry(which.model).levels[std::size_t(which.level)].parts;
+}
+
+// The opaque parts of what is seen at all, grouped by batch.
 std::vector<PartInBatch> opaqueParts(const ModelLibrary& models, const Binned& bins)
 {
     std::vector<PartInBatch> parts;
     for (std::uint32_t bin = 0; bin + 1 < bins.begin.size(); ++bin) {
         if (bins.count(bin) == 0) continue;
-        for (const ModelPart& part : models.entry(int(bin / 2)).parts)
+        for (const ModelPart& part : partsOf(models, bin))
             if (!models.batches()[std::size_t(part.batch)].blend) parts.push_back({part.batch, bin, &part});
     }
     // What has no holes first: it hides most and costs least.
     std::ranges::stable_sort(parts, {}, [&](const PartInBatch& p) {
         const bool masked = models.batches()[std::size_t(p.batch)].features & kFeatureMask;
-        return std::tuple{masked, p.batch, p.bin % 2};
+        return std::tuple{masked, models.bins()[p.bin].fading, p.batch, models.bins()[p.bin].mirrored};
     });
     return parts;
 }
@@ -131,14 +144,23 @@ std::vector<BlendedPart> blendedParts(const DrawSource& source, const Binned& bi
 {
     std::vector<BlendedPart> parts;
     const Distance distance{source};
-    for (std::uint32_t bin = 0; bin + 1 < bins.begin.size(); ++bin)
-        for (const ModelPart& part : source.models.entry(int(bin / 2)).parts) {
-            if (bins.count(bin) == 0 || !source.models.batches()[std::size_t(part.batch)].blend) continue;
+    for (std::uint32_t bin = 0; bin + 1 < bins.begin.size(); ++bin) {
+        if (bins.count(bin) == 0) continue;
+        for (const ModelPart& part : partsOf(source.models, bin)) {
+            if (!source.models.batches()[std::size_t(part.batch)].blend) continue;
             for (std::uint32_t i = bins.begin[bin]; i < bins.begin[bin + 1]; ++i)
-                parts.push_back({distance(bins.slots[i]), i, bin, &part});
+                parts.push_back({distance(bins.drawn[i]), i, bin, &part});
         }
+    }
     std::ranges::stable_sort(parts, std::greater{}, &BlendedPart::distance);
     return parts;
+}
+
+// One that fades is seen twice.
+std::uint64_t instancesIn(std::span<const Seen> seen)
+{
+    return std::uint64_t(std::ranges::count_if(
+        seen, [](const Seen& one) { return (one.drawn >> DRAWN_FADE_SHIFT) < DRAWN_FADE_OTHERS; }));
 }
 
 } // namespace
@@ -146,19 +168,20 @@ std::vector<BlendedPart> blendedParts(const DrawSource& source, const Binned& bi
 DrawList makeDrawList(GpuStream& stream, const DrawSource& source)
 {
     DrawList list;
-    list.visible = source.visible.size();
-    if (source.visible.empty()) return list;
+    list.visible = instancesIn(source.seen);
+    if (source.seen.empty()) return list;
     const Binned bins = binned(source);
+    const std::span<const Bin> kinds = source.models.bins();
     std::vector<DrawCommand> commands;
-    Writer writer{commands};
+    Writer writer{list, commands};
     for (const PartInBatch& part : opaqueParts(source.models, bins))
-        writer.add(list.opaque, part.batch, part.bin % 2 != 0,
+        writer.add(list.opaque, part.batch, kinds[part.bin],
                    commandOf(*part.part, bins.count(part.bin), bins.begin[part.bin]));
     if (source.blended)
         for (const BlendedPart& part : blendedParts(source, bins))
-            writer.add(list.blended, part.part->batch, part.bin % 2 != 0, commandOf(*part.part, 1, part.index));
+            writer.add(list.blended, part.part->batch, kinds[part.bin], commandOf(*part.part, 1, part.index));
     if (commands.empty()) return list;
-    list.instances = stream.put(std::span<const std::uint32_t>{bins.slots});
+    list.instances = stream.put(std::span<const std::uint32_t>{bins.drawn});
     list.commands = stream.put(std::span<const DrawCommand>{commands});
     return list;
 }

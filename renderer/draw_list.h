@@ -5,6 +5,7 @@
 #include "renderer/gpu_frame.h"
 #include "renderer/model_library.h"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,27 +21,28 @@ struct DrawCommand { // as glMultiDrawElementsIndirect reads it
 struct DrawRange {
     int batch = 0;
     bool mirrored = false;
+    bool fading = false;           // drawn through a pattern of holes
     std::size_t commandOffset = 0; // bytes into the command buffer
     std::uint32_t commands = 0;
     std::uint64_t triangles = 0;
 };
 
 struct DrawList {
-    GpuStream::Piece instances; // slots, uint32
+    GpuStream::Piece instances; // as shared/drawn.h packs them
     GpuStream::Piece commands;
     std::vector<DrawRange> opaque;  // masked too
     std::vector<DrawRange> blended; // back to front
     std::uint64_t visible = 0;      // instances
+    std::array<std::uint64_t, MOST_LEVELS> trianglesOfLevel{};
 };
 
 struct DrawSource {
     const ModelLibrary& models;
-    std::span<const std::uint32_t> bins;    // by slot: model * 2 + mirrored
-    std::span<const std::uint32_t> visible; // slots
-    bool blended = true;                    // blended parts too
-    const Spheres* spheres = nullptr;       // to sort by distance; none: drawn as they come
+    std::span<const Seen> seen;
+    bool blended = true;                            // blended parts too
+    std::span<const glsl::CullRecord> records = {}; // to sort by distance; none: drawn as they come
     glm::dvec3 eye{0};
-    std::optional<glm::dvec3> towardSun;    // of parallel light: distance is counted from there
+    std::optional<glm::dvec3> towardSun;            // of parallel light: distance is counted from there
 };
 DrawList makeDrawList(GpuStream& stream, const DrawSource& source);
 

@@ -78,7 +78,8 @@ GeometryPass::Drawn Renderer::State::choose(GpuFrame& gpu, const FrameInput& in,
                                         {.volume = volume,
                                          .eye = eye.position,
                                          .smallestAngle = float(kSmallestPixels / 2 * viewpoint.view.pixelAngle),
-                                         .refused = in.markers ? std::uint8_t(0) : kMarker},
+                                         .errorAngle = in.settings.lod ? in.settings.lodPixels * viewpoint.view.pixelAngle : 0.0f,
+                                         .refused = in.markers ? 0u : CULL_MARKER},
                                         true);
     drawn.ground = scenery.terrain.draws(gpu.stream(), volume);
 

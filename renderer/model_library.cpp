@@ -6,6 +6,9 @@
 namespace renderer {
 namespace {
 
+constexpr std::uint32_t kNowhere = 0xffffffffu;
+constexpr float kStep = 1.2f; // least ratio of the errors of one level and the next
+
 // Normals that were bent on purpose (outwards from a crown, say) differ from their triangles' own by far.
 bool hasBentNormals(const io::Model& model, const io::Part& part)
 {
@@ -19,6 +22,17 @@ bool hasBentNormals(const io::Model& model, const io::Part& part)
         if (length > 0 && std::abs(glm::dot(face / length, a.normal)) < 0.87f) ++bent;
     }
     return bent * 6 > part.indexCount / 3;
+}
+
+glsl::CullModel cullModelOf(const ModelEntry& entry)
+{
+    glsl::CullModel model{};
+    model.levels = std::uint32_t(entry.levels.size());
+    for (int i = 0; i < int(entry.levels.size()); ++i)
+        model.errors[i / 4][i % 4] = entry.levels[std::size_t(i)].error;
+    model.firstBin = entry.firstBin;
+    model.whole = entry.blended;
+    return model;
 }
 
 const io::Material& materialOf(const io::Model& model, const io::Part& part)
@@ -62,6 +76,8 @@ void ModelLibrary::clear()
     m_entries.clear();
     m_models.clear();
     m_known.clear();
+    m_bins.clear();
+    m_cullModels.clear();
     m_batches.clear();
     m_newVertices.clear();
     m_newIndices.clear();
@@ -139,35 +155,77 @@ std::uint32_t ModelLibrary::addMaterial(const io::Model& model, const io::Part& 
     return std::uint32_t(m_materialCount + m_newMaterials.size() - 1);
 }
 
-// Vertices carry their part's material, so a vertex that two parts share is stored for each.
-ModelPart ModelLibrary::addPart(const io::Model& model, const io::Part& part)
+ModelLibrary::Placed& ModelLibrary::place(const io::Model& model, const io::Part& part, std::vector<Placed>& placed)
 {
+    const auto known = std::ranges::find(placed, part.material, &Placed::material);
+    if (known != placed.end()) return *known;
     Batch batch;
-    const std::uint32_t material = addMaterial(model, part, batch);
-    ModelPart placed{.firstIndex = std::uint32_t(m_indexCount + m_newIndices.size()), .indexCount = part.indexCount};
-    std::unordered_map<std::uint32_t, std::uint32_t> moved;
-    for (std::uint32_t i = 0; i < part.indexCount; ++i) {
-        const std::uint32_t from = model.indices[part.firstIndex + i];
-        const auto next = std::uint32_t(m_vertexCount + m_newVertices.size());
-        const auto [place, isNew] = moved.try_emplace(from, next);
-        if (isNew) m_newVertices.push_back(pack(model.vertices[from], material));
-        m_newIndices.push_back(place->second);
+    Placed& fresh = placed.emplace_back();
+    fresh.material = part.material;
+    fresh.index = addMaterial(model, part, batch);
+    fresh.batch = batchOf(batch);
+    fresh.vertices.assign(model.vertices.size(), kNowhere);
+    return fresh;
+}
+
+ModelLevel ModelLibrary::addLevel(const io::Model& model, std::span<const std::uint32_t> indices,
+                                  std::span<const io::Part> parts, std::vector<Placed>& placed)
+{
+    ModelLevel level;
+    for (const io::Part& part : parts) {
+        if (part.indexCount < 3) continue;
+        Placed& material = place(model, part, placed);
+        level.parts.push_back({.firstIndex = std::uint32_t(m_indexCount + m_newIndices.size()),
+                               .indexCount = part.indexCount,
+                               .batch = material.batch});
+        for (const std::uint32_t from : indices.subspan(part.firstIndex, part.indexCount)) {
+            std::uint32_t& vertex = material.vertices[from];
+            if (vertex == kNowhere) {
+                vertex = std::uint32_t(m_vertexCount + m_newVertices.size());
+                m_newVertices.push_back(pack(model.vertices[from], material.index));
+            }
+            m_newIndices.push_back(vertex);
+        }
     }
-    placed.batch = batchOf(batch);
-    return placed;
+    return level;
+}
+
+// Levels that differ too little to fade into one another are left out.
+void ModelLibrary::addLevels(const io::Model& model, ModelEntry& entry)
+{
+    std::vector<Placed> placed;
+    entry.levels.push_back(addLevel(model, model.indices, model.parts, placed));
+    for (const ModelPart& part : entry.levels[0].parts)
+        entry.blended |= m_batches[std::size_t(part.batch)].blend;
+    if (!(entry.radius > 0)) return;
+    for (const io::Level& level : model.levels) {
+        const float error = level.error / entry.radius;
+        const bool coarser = entry.levels.size() == 1 ? error > 0 : error >= entry.levels.back().error * kStep;
+        if (!coarser || entry.levels.size() == MOST_LEVELS) continue;
+        entry.levels.push_back(addLevel(model, level.indices, level.parts, placed));
+        entry.levels.back().error = error;
+    }
 }
 
 int ModelLibrary::add(const std::shared_ptr<const io::Model>& model)
 {
     if (const auto known = m_known.find(model.get()); known != m_known.end()) return known->second;
     ModelEntry entry;
-    for (const io::Part& part : model->parts)
-        if (part.indexCount >= 3) entry.parts.push_back(addPart(*model, part));
     entry.bounds = model->bounds;
+    for (const io::Level& level : model->levels) // cards that grew may reach a little further
+        for (const std::uint32_t index : level.indices)
+            entry.bounds.add(model->vertices[index].position);
     if (!entry.bounds.empty()) {
         entry.centre = entry.bounds.centre();
         entry.radius = glm::length(entry.bounds.size()) / 2;
     }
+    addLevels(*model, entry);
+    entry.firstBin = std::uint32_t(m_bins.size());
+    for (int level = 0; level < int(entry.levels.size()); ++level)
+        for (const bool mirrored : {false, true})
+            for (const bool fading : {false, true})
+                m_bins.push_back({.model = size(), .level = level, .mirrored = mirrored, .fading = fading});
+    m_cullModels.push_back(cullModelOf(entry));
     m_entries.push_back(std::move(entry));
     m_models.push_back(model);
     m_known.emplace(model.get(), size() - 1);

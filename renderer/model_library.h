@@ -5,12 +5,14 @@
 #include "io/scene/model.h"
 #include "renderer/gl/buffer.h"
 #include "renderer/shaders/shared/bindings.h"
+#include "renderer/shaders/shared/culling.h"
 #include "renderer/shaders/shared/material.h"
 #include "renderer/texture_library.h"
 #include "renderer/vertex_format.h"
 
 #include <array>
 #include <memory>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -39,12 +41,29 @@ struct ModelPart {
     int batch = 0;
 };
 
-struct ModelEntry {
+struct ModelLevel {
+    float error = 0;              // of the model's radius: how far its surface strays from the full model's
     std::vector<ModelPart> parts;
-    io::Box bounds;        // m, model space
-    glm::vec3 centre{0};   // of the sphere around the bounds
-    float radius = 0;
 };
+
+struct ModelEntry {
+    std::vector<ModelLevel> levels; // the full model first, at most MOST_LEVELS
+    io::Box bounds;         // m, model space, of all levels
+    glm::vec3 centre{0};    // of the sphere around the bounds
+    float radius = 0;
+    bool blended = false;   // has parts that blend, which cannot fade
+    std::uint32_t firstBin = 0;
+};
+
+// What is drawn alike goes into one bin: one level of one model, as it is or mirrored, whole or fading.
+struct Bin {
+    int model = 0, level = 0;
+    bool mirrored = false, fading = false;
+};
+constexpr std::uint32_t binIndex(const ModelEntry& model, int level, bool mirrored, bool fading)
+{
+    return model.firstBin + std::uint32_t(level) * 4 + (mirrored ? 2 : 0) + (fading ? 1 : 0);
+}
 
 class ModelLibrary {
 public:
@@ -53,6 +72,8 @@ public:
     int add(const std::shared_ptr<const io::Model>& model); // the same model gives the same number
     const ModelEntry& entry(int model) const { return m_entries[std::size_t(model)]; }
     int size() const { return int(m_entries.size()); }
+    std::span<const Bin> bins() const { return m_bins; }
+    std::span<const glsl::CullModel> cullModels() const { return m_cullModels; }
     std::span<const Batch> batches() const { return m_batches; }
     const TextureLibrary& textures() const { return m_textures; }
     void clear();
@@ -67,12 +88,26 @@ private:
     std::uint32_t addMaterial(const io::Model& model, const io::Part& part, Batch& batch);
     glsl::MaterialTexture addTexture(const io::Model& model, const io::TextureUse& use, ColourSpace space, float cutoff,
                                      int unit, Batch& batch);
-    ModelPart addPart(const io::Model& model, const io::Part& part);
+
+    // What a material of the model being added became. Vertices carry it, so one that two materials share is
+    // stored for each; levels use the vertices of those before them.
+    struct Placed {
+        int material = 0;
+        std::uint32_t index = 0;
+        int batch = 0;
+        std::vector<std::uint32_t> vertices; // place in the buffer, by vertex of the model; kNowhere: not there yet
+    };
+    Placed& place(const io::Model& model, const io::Part& part, std::vector<Placed>& placed);
+    ModelLevel addLevel(const io::Model& model, std::span<const std::uint32_t> indices, std::span<const io::Part> parts,
+                        std::vector<Placed>& placed);
+    void addLevels(const io::Model& model, ModelEntry& entry);
 
     TextureLibrary m_textures;
     std::vector<ModelEntry> m_entries;
     std::vector<std::shared_ptr<const io::Model>> m_models; // keeps the keys of m_known alive
     std::unordered_map<const io::Model*, int> m_known;
+    std::vector<Bin> m_bins;
+    std::vector<glsl::CullModel> m_cullModels; // beside m_entries
     std::vector<Batch> m_batches;
 
     // What still has to go to the GPU; counts are of what is there already.

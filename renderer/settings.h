@@ -16,12 +16,15 @@ enum class Shading { Pbr, BlinnPhong };
 
 struct Settings {
     bool culling = true; // what the camera or a cascade cannot see is not drawn; the picture is the same without
+    bool lod = true;     // things are drawn coarser where that is not to be seen
     bool shadows = true;
     bool clouds = true;
     bool fog = true;
     AntiAliasing antiAliasing = AntiAliasing::Fxaa;
     ToneMap toneMap = ToneMap::Agx;
     Shading shading = Shading::Pbr;
+
+    float lodPixels = 1; // how far a coarser level may stray from the full model; set by --quality
 
     // Caps on the shadows that a scene asks for: what a machine can bear, set by --quality.
     int mostCascades = 4;
@@ -37,6 +40,7 @@ constexpr auto enumNames(Shading) { return std::array<std::string_view, 2>{"pbr"
 void fields(auto& v, io::Of<Settings> auto& s)
 {
     v("culling", s.culling, io::Hint{});
+    v("lod", s.lod, io::Hint{});
     v("shadows", s.shadows, io::Hint{});
     v("clouds", s.clouds, io::Hint{});
     v("fog", s.fog, io::Hint{});

@@ -56,10 +56,9 @@ void World::rebuild(const io::Scene& scene, const io::Assets& assets)
     m_models.upload();
 
     m_records.clear();
-    m_bins.clear();
+    m_cullRecords.clear();
     m_flags.clear();
     m_slotOf.clear();
-    m_spheres.resize(0);
     m_bounds = {};
     m_slotOf.reserve(scene.objects().size());
     for (const io::Object& object : scene.objects())
@@ -113,9 +112,8 @@ void World::updateObject(const io::Scene& scene, io::ObjectId id)
         slot = std::uint32_t(m_records.size());
         m_slotOf.emplace(io::number(id), slot);
         m_records.emplace_back();
-        m_bins.emplace_back();
+        m_cullRecords.emplace_back();
         m_flags.emplace_back();
-        m_spheres.resize(m_records.size());
         m_flagsDirty = true;
     }
     place(slot, *object);
@@ -126,14 +124,13 @@ void World::place(std::uint32_t slot, const io::Object& object)
     const TemplateState& state = m_templates[io::number(object.templateId) - 1];
     const ModelEntry& model = m_models.entry(state.model);
     m_records[slot] = instanceOf(object.transform, object.id);
-    m_bins[slot] = std::uint32_t(state.model) * 2 + (isMirrored(object.transform) ? 1 : 0);
-
     const glm::dmat4 matrix = io::worldFromModel(object.transform);
     const glm::dvec3 centre{matrix * glm::dvec4{model.centre, 1}};
     const glm::vec3 size = glm::abs(object.transform.scale);
     const double radius = double(model.radius) * std::max({size.x, size.y, size.z});
-    const std::uint8_t flags = (state.castShadow ? kCastsShadow : 0) | (state.marker ? kMarker : 0);
-    m_spheres.set(slot, centre, radius, flags);
+    const std::uint32_t flags = (state.castShadow ? CULL_CASTS_SHADOW : 0) | (state.marker ? CULL_MARKER : 0) |
+                                (isMirrored(object.transform) ? CULL_MIRRORED : 0);
+    m_cullRecords[slot] = cullRecord(centre, radius, std::uint32_t(state.model), flags);
     m_bounds.add(centre - radius);
     m_bounds.add(centre + radius);
     touch(slot);
@@ -145,17 +142,15 @@ void World::remove(std::uint32_t slot)
     m_slotOf.erase(m_records[slot].objectId);
     if (slot != last) { // the last one takes its place, so that the arrays stay dense
         m_records[slot] = m_records[last];
-        m_bins[slot] = m_bins[last];
+        m_cullRecords[slot] = m_cullRecords[last];
         m_flags[slot] = m_flags[last];
-        m_spheres.move(slot, last);
         m_slotOf[m_records[slot].objectId] = slot;
         touch(slot);
         m_flagsDirty = true;
     }
     m_records.pop_back();
-    m_bins.pop_back();
+    m_cullRecords.pop_back();
     m_flags.pop_back();
-    m_spheres.resize(m_records.size());
 }
 
 void World::touch(std::uint32_t slot)
@@ -217,12 +212,11 @@ void World::uploadFlags()
 
 DrawList World::draws(GpuStream& stream, const CullRequest& request, bool blended) const
 {
-    cull(m_spheres, request, m_visible);
+    cull({.records = m_cullRecords, .models = m_models.cullModels()}, cullView(request, m_cullRecords.size()), m_seen);
     return makeDrawList(stream, {.models = m_models,
-                                 .bins = m_bins,
-                                 .visible = m_visible,
+                                 .seen = m_seen,
                                  .blended = blended,
-                                 .spheres = &m_spheres,
+                                 .records = m_cullRecords,
                                  .eye = request.eye,
                                  .towardSun = request.towardSun});
 }
@@ -233,10 +227,9 @@ io::WorldBox World::boundsOf(std::span<const io::ObjectId> ids) const
     for (const io::ObjectId id : ids) {
         const auto known = m_slotOf.find(io::number(id));
         if (known == m_slotOf.end()) continue;
-        const std::uint32_t slot = known->second;
-        const glm::dvec3 centre{m_spheres.x[slot], m_spheres.y[slot], m_spheres.z[slot]};
-        box.add(centre - double(m_spheres.radius[slot]));
-        box.add(centre + double(m_spheres.radius[slot]));
+        const glsl::CullRecord& record = m_cullRecords[known->second];
+        box.add(glm::dvec3{record.centre} - double(record.radius));
+        box.add(glm::dvec3{record.centre} + double(record.radius));
     }
     return box;
 }

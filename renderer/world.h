@@ -56,9 +56,8 @@ private:
 
     // By slot, all the same length.
     std::vector<glsl::Instance> m_records;
-    std::vector<std::uint32_t> m_bins;  // model * 2 + mirrored
+    std::vector<glsl::CullRecord> m_cullRecords;
     std::vector<std::uint32_t> m_flags; // INSTANCE_SELECTED
-    Spheres m_spheres;
     std::unordered_map<std::uint32_t, std::uint32_t> m_slotOf; // by object id
 
     std::vector<std::uint32_t> m_dirty; // slots, perhaps more than once
@@ -71,7 +70,7 @@ private:
     io::WorldBox m_bounds;
     std::uint64_t m_uploadedBytes = 0;
     std::uint64_t m_revision = 0;
-    mutable std::vector<std::uint32_t> m_visible; // kept between frames for its memory
+    mutable std::vector<Seen> m_seen; // kept between frames for its memory
 };
 
 glsl::Instance instanceOf(const io::Transform& transform, io::ObjectId id);

@@ -61,7 +61,7 @@ const GBuffer& GeometryPass::render(GpuFrame& gpu, Scenery& scenery, const Viewp
                    .cull = GLenum(batch.twoSided ? GL_NONE : GL_BACK),
                    .clockwise = range.mirrored});
         bindArrays(gpu, models, batch);
-        return gpu.use(m_programs.of(batch));
+        return gpu.use(m_programs.of(batch, range.fading));
     });
     if (scenery.terrain.present() && gpu.use(groundProgram(scenery.terrain.layers()))) {
         gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GL_BACK});

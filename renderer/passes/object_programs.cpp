@@ -9,12 +9,13 @@ ObjectPrograms::ObjectPrograms(ShaderLibrary& shaders, std::string fragment, std
     of({}); // the plain one at once, so that a faulty text shows at the start
 }
 
-const gl::Program& ObjectPrograms::of(const Batch& batch)
+const gl::Program& ObjectPrograms::of(const Batch& batch, bool fading)
 {
     const unsigned features = batch.features & m_relevant;
-    const gl::Program*& program = m_programs[features];
+    const gl::Program*& program = m_programs[features + (fading ? 16 : 0)];
     if (!program) {
         std::vector<std::string> defines = definesOf(features);
+        if (fading) defines.emplace_back("FADE");
         defines.insert(defines.end(), m_defines.begin(), m_defines.end());
         program = &m_shaders.program({.label = m_fragment,
                                       .stages = {"objects.vert.glsl", m_fragment + ".frag.glsl"},

@@ -14,14 +14,14 @@ class ObjectPrograms {
 public:
     // `relevant`: the features that this kind of drawing cares about; the others share a program.
     ObjectPrograms(ShaderLibrary& shaders, std::string fragment, std::vector<std::string> defines, unsigned relevant);
-    const gl::Program& of(const Batch& batch);
+    const gl::Program& of(const Batch& batch, bool fading = false);
 
 private:
     ShaderLibrary& m_shaders;
     std::string m_fragment;
     std::vector<std::string> m_defines;
     unsigned m_relevant;
-    std::array<const gl::Program*, 16> m_programs{};
+    std::array<const gl::Program*, 32> m_programs{}; // by features, and twice: whole and fading
 };
 
 // The texture arrays of a batch at their units.

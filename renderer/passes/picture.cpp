@@ -45,6 +45,9 @@ ShowPass::ShowPass(ShaderLibrary& shaders)
     : m_shaders{shaders},
       m_flatObjects{shaders.program(
           {.label = "flat objects", .stages = {"objects.vert.glsl", "flat.frag.glsl"}, .defines = {"POSITION_ONLY"}})},
+      m_objectLevels{shaders.program({.label = "object levels",
+                                      .stages = {"objects.vert.glsl", "flat.frag.glsl"},
+                                      .defines = {"POSITION_ONLY", "LEVELS"}})},
       m_flatGround{shaders.program({.label = "flat ground", .stages = {"terrain.vert.glsl", "flat.frag.glsl"}})},
       m_groundLevels{shaders.program(
           {.label = "ground levels", .stages = {"terrain.vert.glsl", "flat.frag.glsl"}, .defines = {"LEVELS"}})},
@@ -63,7 +66,7 @@ void ShowPass::drawAgain(GpuFrame& gpu, Scenery& scenery, const GeometryPass::Dr
         own.cull = models.batches()[std::size_t(range.batch)].twoSided ? GL_NONE : GL_BACK;
         own.clockwise = range.mirrored;
         gl::apply(own);
-        return gpu.use(m_flatObjects);
+        return gpu.use(levels ? m_objectLevels : m_flatObjects);
     });
     if (!scenery.terrain.present() || !gpu.use(levels ? m_groundLevels : m_flatGround)) return;
     gl::DrawState own = state;

@@ -3,6 +3,11 @@
 #include "renderer/shaders/shared/bindings.h"
 
 namespace renderer {
+namespace {
+
+constexpr float kErrorTexels = 1.0f; // how far what casts a shadow may stray from its full model
+
+} // namespace
 
 ShadowPass::ShadowPass(ShaderLibrary& shaders)
     : m_masked{shaders, "shadow", {"SHADOW"}, kFeatureMask},
@@ -42,14 +47,15 @@ const gl::Texture& ShadowPass::render(GpuFrame& gpu, Scenery& scenery, const Vie
     resize(capped(scenery.environment.shadows, settings).resolution, int(viewpoint.cascades.size()));
     for (std::size_t i = 0; i < viewpoint.cascades.size(); ++i) {
         const Cascade& cascade = viewpoint.cascades[i];
-        const Key key{.snapped = {cascade.snapped.x, cascade.snapped.y, std::floor(cascade.snapped.z / cascade.texel)},
+        const Key key{.snapped = cascade.snapped,
                       .radius = cascade.radius,
                       .towardSun = viewpoint.towardSun,
                       .world = scenery.world.revision(),
                       .terrain = scenery.terrain.revision(),
-                      .culling = settings.culling};
+                      .culling = settings.culling,
+                      .lod = settings.lod};
         if (key == m_keys[i]) continue;
-        renderCascade(gpu, scenery, viewpoint, i, settings.culling);
+        renderCascade(gpu, scenery, viewpoint, i, settings);
         m_keys[i] = key;
     }
     gpu.constants(VIEW_BINDING, viewpoint.view);
@@ -57,7 +63,8 @@ const gl::Texture& ShadowPass::render(GpuFrame& gpu, Scenery& scenery, const Vie
     return m_maps;
 }
 
-void ShadowPass::renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, std::size_t index, bool culling)
+void ShadowPass::renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, std::size_t index,
+                               const Settings& settings)
 {
     const Cascade& cascade = viewpoint.cascades[index];
     glsl::View view = viewpoint.view;
@@ -68,13 +75,14 @@ void ShadowPass::renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint&
 
     // Slopes are pushed away from the light by part of their own depth range over a texel.
     gl::DrawState state{.depthTest = GL_LESS, .depthWrite = true, .depthClamp = true, .depthOffset = {1.25f, 2.0f}};
-    const std::optional<Volume> volume = culling ? std::optional{cascade.volume} : std::nullopt;
+    const std::optional<Volume> volume = settings.culling ? std::optional{cascade.volume} : std::nullopt;
     World& world = scenery.world;
     const DrawList list = world.draws(gpu.stream(),
                                       {.volume = volume,
                                        .towardSun = viewpoint.towardSun,
                                        .smallestRadius = float(cascade.texel * 0.5),
-                                       .required = kCastsShadow},
+                                       .errorLength = settings.lod ? float(cascade.texel) * kErrorTexels : 0.0f,
+                                       .required = CULL_CASTS_SHADOW},
                                       false);
     drawRanges(gpu, m_objects, world.models(), list, list.opaque, [&](const DrawRange& range) {
         const Batch& batch = world.models().batches()[std::size_t(range.batch)];

@@ -19,11 +19,12 @@ private:
         double radius = 0;
         glm::dvec3 towardSun{0};
         std::uint64_t world = 0, terrain = 0;
-        bool culling = false;
+        bool culling = false, lod = false;
         bool operator==(const Key&) const = default;
     };
     void resize(int resolution, int layers);
-    void renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, std::size_t index, bool culling);
+    void renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, std::size_t index,
+                       const Settings& settings);
 
     ObjectPrograms m_masked;
     const gl::Program &m_solid, &m_ground;

@@ -1,10 +1,14 @@
 // Placed objects into the GBuffer.
+#include "fade.glsl"
 #include "gbuffer_out.glsl"
 #include "material.glsl"
 #include "shared/instance.h"
 
 void main()
 {
+#ifdef FADE
+    if (fadedAway(gl_FragCoord.xy)) discard;
+#endif
     MaterialSample m = sampleMaterial(gl_FrontFacing);
 #ifdef MASK
     if (m.baseColour.a < surface.z) discard;

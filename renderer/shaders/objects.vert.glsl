@@ -1,6 +1,7 @@
 // Vertices of placed objects. The instance comes by way of a list that culling wrote, one number a copy.
 #include "octahedron.glsl"
 #include "records.glsl"
+#include "shared/drawn.h"
 #include "view.glsl"
 
 layout(location = 0) in vec3 inPosition;
@@ -14,6 +15,12 @@ layout(location = 7) in uint inInstance;
 
 invariant gl_Position; // passes that draw the same surface again compare depths for equality
 
+#ifdef LEVELS
+layout(location = 1) flat out float level;
+#endif
+#ifdef FADE
+layout(location = 13) flat out uint fade;
+#endif
 #ifndef POSITION_ONLY
 layout(location = 0) out vec2 uvBase;
 #ifndef SHADOW
@@ -55,13 +62,20 @@ uint layerBits(int layer)
 
 void main()
 {
-    Instance instance = instanceAt(inInstance);
+    uint slot = inInstance & DRAWN_SLOT_MASK;
+    Instance instance = instanceAt(slot);
     vec3 axisX = instance.axisX.xyz;
     vec3 axisY = instance.axisY.xyz;
     vec3 axisZ = instance.axisZ.xyz;
     vec3 eyeToOrigin = (instance.positionHigh - view.eyeHigh) + (instance.positionLow - view.eyeLow);
     vec3 place = eyeToOrigin + axisX * inPosition.x + axisY * inPosition.y + axisZ * inPosition.z;
     gl_Position = view.clipFromRelative * vec4(place, 1.0);
+#ifdef LEVELS
+    level = float((inInstance >> DRAWN_LEVEL_SHIFT) & DRAWN_LEVEL_MASK);
+#endif
+#ifdef FADE
+    fade = inInstance >> DRAWN_FADE_SHIFT;
+#endif
 
 #ifndef POSITION_ONLY
     MaterialTexture base = materialTexture(inMaterial, BASE_COLOUR_UNIT);
@@ -104,7 +118,7 @@ void main()
     emissiveLayer = layerBits(emissiveUse.layer);
     layers2 = layerBits(surfaceUse.layer) | layerBits(occlusionUse.layer) << 16;
 #endif
-    uint flags = texelFetch(instanceFlags, int(inInstance)).x | materialFlags(inMaterial) << 8;
+    uint flags = texelFetch(instanceFlags, int(slot)).x | materialFlags(inMaterial) << 8;
     ids = uvec4(instance.objectId, flags, layers, layers2);
 #ifdef FORWARD
     relative = place;

@@ -32,25 +32,33 @@ TEST(Culling, SameIdsAndSamePictureWithAndWithout)
     EXPECT_EQ(test::shared().glErrors(), 0u);
 }
 
+// One model of four levels, whose errors are 1, 4 and 16 thousandths of its radius.
+const glsl::CullModel kModel{.errors = {{0, 0.001f, 0.004f, 0.016f}, {}}, .levels = 4, .firstBin = 0, .whole = 0};
+
+std::vector<renderer::Seen> seenOf(std::span<const glsl::CullRecord> records, const renderer::CullRequest& request,
+                                   const glsl::CullModel& model = kModel)
+{
+    std::vector<renderer::Seen> seen;
+    renderer::cull({.records = records, .models = {&model, 1}}, renderer::cullView(request, records.size()), seen);
+    return seen;
+}
+
 TEST(Culling, AgreesWithDoublesAwayFromThePlanes)
 {
     std::mt19937 random{5};
     std::uniform_real_distribution<double> place{-4000, 4000}, size{0.1, 30};
     constexpr int kCount = 20000;
-    renderer::Spheres spheres;
-    spheres.resize(kCount);
+    std::vector<glsl::CullRecord> records;
     std::vector<glm::dvec4> exact;
     for (int i = 0; i < kCount; ++i) {
         exact.emplace_back(place(random), place(random) * 0.1, place(random), size(random));
-        spheres.set(std::size_t(i), glm::dvec3{exact.back()}, exact.back().w, renderer::kCastsShadow);
+        records.push_back(renderer::cullRecord(glm::dvec3{exact.back()}, exact.back().w, 0, CULL_CASTS_SHADOW));
     }
     const renderer::Eye eye = renderer::eyeOf({.eye = {30, 40, -20}, .yaw = 70, .pitch = -8}, kSize);
     const renderer::Volume volume = renderer::volumeOf(eye);
-    std::vector<std::uint32_t> visible;
-    renderer::cull(spheres, {.volume = volume, .eye = eye.position}, visible);
     std::vector<bool> seen(kCount);
-    for (const std::uint32_t slot : visible)
-        seen[slot] = true;
+    for (const renderer::Seen& one : seenOf(records, {.volume = volume, .eye = eye.position}))
+        seen[one.slot()] = true;
     for (int i = 0; i < kCount; ++i) {
         double least = 1e30;
         for (const glm::dvec4& plane : volume.planes)
@@ -58,22 +66,70 @@ TEST(Culling, AgreesWithDoublesAwayFromThePlanes)
         EXPECT_FALSE(least > 0 && !seen[std::size_t(i)]) << i;
         EXPECT_FALSE(least < -0.1 && seen[std::size_t(i)]) << i;
     }
-    EXPECT_GT(visible.size(), 100u);
-    EXPECT_LT(visible.size(), kCount / 2u);
+    const auto count = std::ranges::count(seen, true);
+    EXPECT_GT(count, 100);
+    EXPECT_LT(count, kCount / 2);
 }
 
 TEST(Culling, FlagsAndSmallThingsAreLeftOut)
 {
-    renderer::Spheres spheres;
-    spheres.resize(3);
-    spheres.set(0, {0, 0, -10}, 1, renderer::kCastsShadow);
-    spheres.set(1, {0, 0, -10}, 1, renderer::kMarker);
-    spheres.set(2, {0, 0, -1000}, 0.1, renderer::kCastsShadow);
-    std::vector<std::uint32_t> visible;
-    renderer::cull(spheres, {.smallestAngle = 0.001f, .refused = renderer::kMarker}, visible);
-    EXPECT_EQ(visible, (std::vector<std::uint32_t>{0}));
-    renderer::cull(spheres, {.smallestRadius = 0.05f, .required = renderer::kCastsShadow}, visible);
-    EXPECT_EQ(visible, (std::vector<std::uint32_t>{0, 2}));
+    const glsl::CullRecord records[] = {renderer::cullRecord({0, 0, -10}, 1, 0, CULL_CASTS_SHADOW),
+                                        renderer::cullRecord({0, 0, -10}, 1, 0, CULL_MARKER),
+                                        renderer::cullRecord({0, 0, -1000}, 0.1, 0, CULL_CASTS_SHADOW)};
+    const auto slots = [&](const renderer::CullRequest& request) {
+        std::vector<std::uint32_t> result;
+        for (const renderer::Seen& one : seenOf(records, request))
+            result.push_back(one.slot());
+        return result;
+    };
+    EXPECT_EQ(slots({.smallestAngle = 0.001f, .refused = CULL_MARKER}), (std::vector<std::uint32_t>{0}));
+    EXPECT_EQ(slots({.smallestRadius = 0.05f, .required = CULL_CASTS_SHADOW}), (std::vector<std::uint32_t>{0, 2}));
+}
+
+TEST(Levels, AreChosenByTheErrorThatCanBeSeen)
+{
+    // With 1/1000 of the distance allowed, a sphere of 1 m takes levels 1, 2 and 3 from 2, 5 and 17 m.
+    const renderer::CullRequest request{.errorAngle = 0.001f};
+    const auto levelsAt = [&](double distance) {
+        const glsl::CullRecord record = renderer::cullRecord({0, 0, -distance}, 1, 0, 0);
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> result; // level, fade
+        for (const renderer::Seen& one : seenOf({&record, 1}, request)) {
+            result.emplace_back((one.drawn >> DRAWN_LEVEL_SHIFT) & DRAWN_LEVEL_MASK, one.drawn >> DRAWN_FADE_SHIFT);
+            EXPECT_EQ(one.bin, result.back().first * 4 + (result.back().second ? 1 : 0));
+        }
+        return result;
+    };
+    using Levels = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+    EXPECT_EQ(levelsAt(0.5), (Levels{{0, 0}})) << "the eye is inside";
+    EXPECT_EQ(levelsAt(1.99), (Levels{{0, 0}}));
+    EXPECT_EQ(levelsAt(3), (Levels{{1, 0}}));
+    EXPECT_EQ(levelsAt(4.99), (Levels{{1, 0}}));
+    EXPECT_EQ(levelsAt(5 + 4 * 0.15 / 2), (Levels{{2, 8}, {1, 16 + 8}})) << "half way they share the pixels";
+    EXPECT_EQ(levelsAt(1000), (Levels{{3, 0}}));
+}
+
+TEST(Levels, ParallelLightAllowsALength)
+{
+    const glsl::CullRecord record = renderer::cullRecord({0, 0, -5}, 2, 0, 0);
+    const auto level = [&](float length) {
+        const auto seen = seenOf({&record, 1}, {.towardSun = glm::dvec3{0, 1, 0}, .errorLength = length});
+        EXPECT_EQ(seen.size(), 1u);
+        return int((seen.at(0).drawn >> DRAWN_LEVEL_SHIFT) & DRAWN_LEVEL_MASK);
+    };
+    EXPECT_EQ(level(0), 0);
+    EXPECT_EQ(level(0.0021f), 1);
+    EXPECT_EQ(level(0.031f), 2);
+    EXPECT_EQ(level(10), 3);
+}
+
+TEST(Levels, WhatBlendsSwitchesAtOnce)
+{
+    glsl::CullModel model = kModel;
+    model.whole = 1;
+    for (double distance = 1; distance < 30; distance *= 1.01) {
+        const glsl::CullRecord record = renderer::cullRecord({0, 0, -distance}, 1, 0, 0);
+        EXPECT_EQ(seenOf({&record, 1}, {.errorAngle = 0.001f}, model).size(), 1u) << distance;
+    }
 }
 
 } // namespace

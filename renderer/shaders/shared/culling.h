@@ -1,0 +1,94 @@
+// What a view sees of the objects, and at which level of detail: one text for the CPU and for the compute shader, so
+// that both give the same answer.
+#ifndef SHARED_CULLING_H
+#define SHARED_CULLING_H
+#include "drawn.h"
+#include "shared.h"
+SHARED_BEGIN
+
+#define CULL_CASTS_SHADOW 1u
+#define CULL_MARKER 2u
+#define CULL_MIRRORED 4u
+
+struct CullRecord { // of an instance, beside its Instance
+    vec3 centre; float radius; // m, world; the radius covers the rounding of the centre
+    uint model;  uint flags;
+    uint unused0; uint unused1;
+};
+SHARED_STRUCT_END(CullRecord, 32)
+
+struct CullModel {
+    vec4 errors[2]; // by level, of the radius; level 0 has none
+    uint levels;    // at least 1
+    uint firstBin;
+    uint whole;     // 1: never fades, as blended parts cannot
+    uint unused;
+};
+SHARED_STRUCT_END(CullModel, 48)
+
+struct CullView {
+    vec4 planes[5];  // n, d: inside where dot(n, p) + d >= 0; m, world
+    vec3 eye;        float smallestAngle; // radius / distance under which a thing is left out; 0: parallel light
+    float errorAngle;  // error / distance that may be seen; 0: parallel light, or no levels
+    float errorLength; // m, error that may be seen in parallel light
+    float smallestRadius; // m, the same of parallel light
+    uint required;     // flags
+    uint refused;
+    uint count;        // instances
+    uint unused0; uint unused1;
+};
+SHARED_STRUCT_END(CullView, 128)
+
+// Levels fade into one another over this share of the distance from which the coarser one will do.
+#define LEVEL_FADE 0.15f
+
+SHARED_FUNCTION bool wanted(CullRecord r, CullView v)
+{
+    return (r.flags & v.required) == v.required && (r.flags & v.refused) == 0u;
+}
+
+SHARED_FUNCTION bool insidePlanes(CullRecord r, CullView v)
+{
+    float least = 0.0f;
+    for (int i = 0; i < 5; ++i)
+        least = min(least, v.planes[i].x * r.centre.x + v.planes[i].y * r.centre.y + v.planes[i].z * r.centre.z +
+                               v.planes[i].w + r.radius);
+    return least >= 0.0f;
+}
+
+SHARED_FUNCTION bool largeEnough(CullRecord r, CullView v)
+{
+    vec3 d = r.centre - v.eye;
+    return r.radius >= v.smallestRadius && r.radius * r.radius >= v.smallestAngle * v.smallestAngle * dot(d, d);
+}
+
+SHARED_FUNCTION float levelError(CullModel m, int level)
+{
+    return m.errors[level / 4][level % 4];
+}
+
+struct LevelChoice {
+    int level;
+    int share; // of DRAWN_FADE_STEPS that it covers; what is left belongs to the finer level
+};
+
+SHARED_FUNCTION LevelChoice chooseLevel(CullRecord r, CullModel m, CullView v)
+{
+    LevelChoice choice;
+    choice.level = 0;
+    choice.share = DRAWN_FADE_STEPS;
+    vec3 d = r.centre - v.eye;
+    float seen = v.errorAngle * max(sqrt(dot(d, d)) - r.radius, 0.0f) + v.errorLength;
+    for (int level = 1; level < int(m.levels); ++level)
+        if (levelError(m, level) * r.radius <= seen) choice.level = level;
+    if (choice.level == 0 || v.errorAngle <= 0.0f) return choice;
+    float beyond = seen / (levelError(m, choice.level) * r.radius) - 1.0f;
+    int share = min(int(beyond * (float(DRAWN_FADE_STEPS) / LEVEL_FADE)), DRAWN_FADE_STEPS);
+    if (m.whole != 0u) share = share * 2 >= DRAWN_FADE_STEPS ? DRAWN_FADE_STEPS : 0;
+    choice.share = share == 0 ? DRAWN_FADE_STEPS : share;
+    choice.level -= share == 0 ? 1 : 0;
+    return choice;
+}
+
+SHARED_END
+#endif

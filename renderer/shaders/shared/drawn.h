@@ -1,0 +1,13 @@
+// An entry of a view's instance list: which record, at which level of detail, and how much of it while it fades.
+#ifndef SHARED_DRAWN_H
+#define SHARED_DRAWN_H
+
+#define DRAWN_SLOT_MASK 0xffffffu // of the instance records
+#define DRAWN_LEVEL_SHIFT 24
+#define DRAWN_LEVEL_MASK 7u
+#define MOST_LEVELS 8             // of a model, the full one among them
+#define DRAWN_FADE_SHIFT 27       // 0: whole; 1..15: that many sixteenths of the pixels; 16 + 1..15: the others
+#define DRAWN_FADE_STEPS 16
+#define DRAWN_FADE_OTHERS 16u
+
+#endif
