@@ -125,8 +125,10 @@ io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::
         fs::remove_all(half, fault);
         return copied.error();
     }
-    m_world.project.folder = half;
+    const io::Project projectBefore = m_world.project;
+    const auto templateFilesBefore = m_world.templateFiles;
     const std::uint64_t savedBefore = m_savedState;
+    m_world.project.folder = half;
     io::Result<io::FileTransaction::Report> report = save();
     if (report) {
         fs::rename(half, target, fault);
@@ -135,8 +137,10 @@ io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::
     if (report)
         for (fs::path& file : report->written)
             if (file.is_absolute()) file = target / file.lexically_relative(half);
-    m_world.project.folder = report ? target : source;
+    m_world.project.folder = target;
     if (!report) {
+        m_world.project = projectBefore;
+        m_world.templateFiles = templateFilesBefore;
         m_savedState = savedBefore;
         fs::remove_all(half, fault);
     }

@@ -20,7 +20,7 @@ struct ScriptCommand {
     Answer (*run)(Script& script, Arguments& arguments);
 };
 
-std::span<const ScriptCommand> placeCommands();     // place scatter duplicate delete group ungroup drop align
+std::span<const ScriptCommand> placeCommands();     // place scatter duplicate delete group … delete_template
 std::span<const ScriptCommand> transformCommands(); // move rotate scale rename assign
 std::span<const ScriptCommand> documentCommands();  // select set get undo redo save save_as reload view render …
 std::span<const ScriptCommand> queryCommands();     // objects object selection height pick stats history

@@ -1,6 +1,7 @@
 #include "editor/script_commands.h"
 
 #include "editor/arrange.h"
+#include "editor/delete_template.h"
 #include "editor/placement.h"
 
 #include <algorithm>
@@ -103,6 +104,16 @@ Answer remove(Script& script, Arguments& arguments)
     return idsAnswer(all);
 }
 
+Answer removeTemplate(Script& script, Arguments& arguments)
+{
+    const io::TemplateId what = arguments.templateNamed("template");
+    const bool withObjects = arguments.flag("objects", false);
+    if (const auto fault = arguments.finish()) return *fault;
+    const auto count = deleteTemplate(script.document(), what, withObjects);
+    if (!count) return count.error();
+    return io::Value::Object{{"objects", std::uint64_t(*count)}};
+}
+
 Answer group(Script& script, Arguments& arguments)
 {
     const auto ids = arguments.ids();
@@ -149,6 +160,7 @@ Answer align(Script& script, Arguments& arguments)
 constexpr ScriptCommand kCommands[] = {
     {"place", place}, {"scatter", scatter}, {"duplicate", duplicate}, {"delete", remove},
     {"group", group}, {"ungroup", ungroup}, {"drop", drop},           {"align", align},
+    {"delete_template", removeTemplate},
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "editor/panels/templates_panel.h"
 
+#include "editor/delete_template.h"
 #include "editor/editor.h"
 #include "editor/numbers_text.h"
 #include "editor/search_text.h"
@@ -186,7 +187,27 @@ void TemplatesPanel::cardMenu(Editor& editor, io::TemplateId id)
         editor.inspectTemplate = false;
         editor.selection().set(ids);
     }
+    ImGui::Separator();
+    if (ui::menuItem(tr("templates.delete"), nullptr, false, true, Icon::Trash)) askToDelete(editor, id);
     ImGui::EndPopup();
+}
+
+// Without objects of it there is nothing to ask: Undo brings it back.
+void TemplatesPanel::askToDelete(Editor& editor, io::TemplateId id)
+{
+    const std::string name{editor.document()->scene().templateName(id)};
+    const TemplateUse use = useOf(*editor.document(), id);
+    const auto remove = [&editor, id, name] {
+        editor.step("undo.delete_template", [&](Document& document) { (void)deleteTemplate(document, id, true); });
+        editor.toasts().add(io::log::Level::Info, trf("templates.deleted", name));
+    };
+    if (!use.scenes.empty())
+        return editor.dialogs().showMessage(trf("templates.cannot_delete", name),
+                                            trf("templates.used_elsewhere", fmt::join(use.scenes, ", ")));
+    if (use.objects.empty()) return remove();
+    editor.dialogs().confirm(trf("templates.delete_title", name),
+                             trf("templates.delete_text", grouped(use.objects.size())), tr("templates.delete_accept"),
+                             remove);
 }
 
 } // namespace editor

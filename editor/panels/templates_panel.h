@@ -25,6 +25,7 @@ private:
     void card(Editor& editor, io::TemplateId id);
     void picture(Editor& editor, io::TemplateId id, ImVec2 min, float size);
     void cardMenu(Editor& editor, io::TemplateId id);
+    void askToDelete(Editor& editor, io::TemplateId id);
     std::string cardTip(const Document& document, io::TemplateId id) const;
     bool shown(const Document& document, io::TemplateId id) const;
 

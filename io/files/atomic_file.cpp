@@ -45,9 +45,10 @@ bool ownerRuns(const fs::path& temporary)
     return pid > 0 && pid != ::getpid() && (::kill(pid, 0) == 0 || errno == EPERM);
 }
 
-struct Step {
+struct Step { // a rename of `temporary`, or without one a removal
     fs::path temporary;
     fs::path target;
+    std::uint64_t fingerprint = 0; // of what is removed
 };
 
 // The temporaries of a transaction that has not been committed; dropped when it fails.
@@ -65,11 +66,19 @@ public:
 
 std::string recordText(const fs::path& folder, const std::vector<Step>& steps)
 {
-    Value::Array renames;
-    for (const Step& step : steps)
-        renames.push_back(Value::Array{step.temporary.lexically_relative(folder).string(),
-                                       step.target.lexically_relative(folder).string()});
-    return writeJson(Value::Object{{"format", "wold-commit"}, {"version", 1}, {"renames", std::move(renames)}}) + "\n";
+    Value::Array renames, removals;
+    for (const Step& step : steps) {
+        std::string target = step.target.lexically_relative(folder).string();
+        if (step.temporary.empty())
+            removals.push_back(Value::Array{std::move(target), std::to_string(step.fingerprint)});
+        else
+            renames.push_back(Value::Array{step.temporary.lexically_relative(folder).string(), std::move(target)});
+    }
+    return writeJson(Value::Object{{"format", "wold-commit"},
+                                   {"version", 1},
+                                   {"renames", std::move(renames)},
+                                   {"removals", std::move(removals)}}) +
+           "\n";
 }
 
 Status syncFolders(const std::vector<Step>& steps)
@@ -90,7 +99,30 @@ bool holds(const fs::path& file, std::string_view bytes)
     return old && *old == bytes;
 }
 
-// A record comes from a folder that anyone may have made: it may rename only our temporaries, in place.
+enum class Found { Nothing, Other, Same };
+
+Found look(const fs::path& file, std::uint64_t expected)
+{
+    std::error_code error;
+    const fs::file_status status = fs::symlink_status(file, error);
+    if (!fs::exists(status)) return Found::Nothing;
+    const Result<std::string> bytes = fs::is_regular_file(status) ? readFile(file) : Result<std::string>{Error{}};
+    return bytes && fingerprint(*bytes) == expected ? Found::Same : Found::Other;
+}
+
+// Renames what is there to be renamed and removes what is still the file that was meant: can be done again after a cut.
+Status carryOut(const Step& step)
+{
+    std::error_code error;
+    if (!step.temporary.empty())
+        return fs::exists(step.temporary, error) ? disk::rename(step.temporary, step.target) : Status{};
+    if (look(step.target, step.fingerprint) != Found::Same) return {};
+    fs::remove(step.target, error);
+    return error ? Status{Error{step.target.string(), "cannot be removed: " + error.message()}} : Status{};
+}
+
+// A record comes from a folder that anyone may have made: it may rename only our temporaries, in place, and remove only
+// what it can say the bytes of.
 Result<Step> stepOf(const fs::path& folder, const Value& rename)
 {
     const Value::Array* names = rename.asArray();
@@ -103,7 +135,21 @@ Result<Step> stepOf(const fs::path& folder, const Value& rename)
     if (!temporary) return temporary.error();
     if (!target) return target.error();
     if (!isTemporary(*temporary) || temporary->parent_path() != target->parent_path()) return damaged;
-    return Step{*temporary, *target};
+    return Step{.temporary = *temporary, .target = *target};
+}
+
+Result<Step> removalOf(const fs::path& folder, const Value& removal)
+{
+    const Value::Array* pair = removal.asArray();
+    const std::string* file = pair && pair->size() == 2 ? (*pair)[0].asString() : nullptr;
+    const std::string* digits = pair && pair->size() == 2 ? (*pair)[1].asString() : nullptr;
+    std::uint64_t bytes = 0;
+    if (!file || !digits ||
+        std::from_chars(digits->data(), digits->data() + digits->size(), bytes).ec != std::errc{})
+        return Error{(folder / kRecord).string(), "a damaged record of an unfinished save; remove it"};
+    const Result<fs::path> target = insideFolder(folder, *file);
+    if (!target) return target.error();
+    return Step{.temporary = {}, .target = folder / fs::path{*file}, .fingerprint = bytes};
 }
 
 Status finishRecord(const fs::path& folder)
@@ -123,10 +169,16 @@ Status finishRecord(const fs::path& folder)
     for (const Value& rename : *renames->asArray()) {
         Result<Step> step = stepOf(folder, rename);
         if (!step) return step.error();
-        if (!fs::exists(step->temporary, error)) continue; // renamed before the cut
-        if (Status done = disk::rename(step->temporary, step->target); !done) return done;
         steps.push_back(std::move(*step));
     }
+    const Value* removals = value->find("removals");
+    for (const Value& removal : removals && removals->asArray() ? *removals->asArray() : Value::Array{}) {
+        Result<Step> step = removalOf(folder, removal);
+        if (!step) return step.error();
+        steps.push_back(std::move(*step));
+    }
+    for (const Step& step : steps)
+        if (Status done = carryOut(step); !done) return done;
     if (Status done = syncFolders(steps); !done) return done;
     fs::remove(record, error);
     return error ? Status{Error{record.string(), "cannot be removed: " + error.message()}} : disk::syncFolder(folder);
@@ -166,6 +218,19 @@ Result<std::string> readAll(int descriptor, const fs::path& file, std::uint64_t 
 
 } // namespace
 
+std::uint64_t fingerprint(std::string_view bytes)
+{
+    std::uint64_t hash = 14695981039346656037u;
+    for (const char byte : bytes)
+        hash = (hash ^ std::uint8_t(byte)) * 1099511628211u;
+    return hash;
+}
+
+void FileTransaction::remove(std::string file, std::uint64_t fingerprint)
+{
+    m_removals.push_back({std::move(file), fingerprint});
+}
+
 void FileTransaction::add(std::string file, std::string bytes)
 {
     m_items.push_back({std::move(file), std::move(bytes)});
@@ -186,12 +251,23 @@ Result<FileTransaction::Report> FileTransaction::commit(const std::function<void
         if (!target) return target.error();
         if (holds(*target, item.bytes)) continue;
         if (Status made = disk::makeFolders(target->parent_path()); !made) return made.error();
-        const Step& step = temporaries.steps.emplace_back(Step{temporaryFor(*target), *target});
+        const Step& step =
+            temporaries.steps.emplace_back(Step{.temporary = temporaryFor(*target), .target = *target});
         tell("temporary");
         if (Status written = disk::writeAndSync(step.temporary, item.bytes, step.target); !written)
             return written.error();
         report.written.emplace_back(item.file);
         report.bytes += item.bytes.size();
+    }
+    for (const Removal& removal : m_removals) {
+        const Result<fs::path> target = insideFolder(folder, removal.file);
+        if (!target) return target.error();
+        const fs::path file = folder / removal.file; // the name itself, not what a link of that name leads to
+        const Found found = look(file, removal.fingerprint);
+        if (found == Found::Other) report.kept.emplace_back(removal.file);
+        if (found != Found::Same) continue;
+        temporaries.steps.push_back({.temporary = {}, .target = file, .fingerprint = removal.fingerprint});
+        report.removed.emplace_back(removal.file);
     }
     if (temporaries.steps.empty()) return report;
 
@@ -210,8 +286,8 @@ Result<FileTransaction::Report> FileTransaction::commit(const std::function<void
     const std::vector<Step> steps = std::exchange(temporaries.steps, {});
     if (Status synced = disk::syncFolder(folder); !synced) return synced.error();
     for (const Step& step : steps) {
-        tell("rename");
-        if (Status renamed = disk::rename(step.temporary, step.target); !renamed) return renamed.error();
+        tell(step.temporary.empty() ? "removal" : "rename");
+        if (Status done = carryOut(step); !done) return done.error();
     }
     tell("sync");
     if (Status synced = syncFolders(steps); !synced) return synced.error();

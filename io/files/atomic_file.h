@@ -12,14 +12,20 @@
 
 namespace io {
 
-// Several files written as one: temporaries beside their targets, fsync, a commit record that lists the renames,
-// the renames, fsync of the folders, the record removed. Files whose bytes did not change are not written.
+// Which bytes a file held: 64 bit FNV-1a, the same on every machine.
+std::uint64_t fingerprint(std::string_view bytes);
+
+// Several files written as one: temporaries beside their targets, fsync, a commit record that lists the renames and
+// removals, those done, fsync of the folders, the record removed. Files whose bytes did not change are not written.
 class FileTransaction {
 public:
     explicit FileTransaction(std::filesystem::path folder) : m_folder{std::move(folder)} {}
     void add(std::string file, std::string bytes); // relative to the folder, inside it
+    void remove(std::string file, std::uint64_t fingerprint); // only if it is that file still, and no link
     struct Report {
         std::vector<std::filesystem::path> written; // relative to the folder
+        std::vector<std::filesystem::path> removed;
+        std::vector<std::filesystem::path> kept; // that should have gone, but hold other bytes now
         std::uint64_t bytes = 0;
     };
     // `before` is told each step that touches the disk, so that a test can cut the work there.
@@ -30,11 +36,16 @@ private:
         std::string file;
         std::string bytes;
     };
+    struct Removal {
+        std::string file;
+        std::uint64_t fingerprint;
+    };
     std::filesystem::path m_folder;
     std::vector<Item> m_items;
+    std::vector<Removal> m_removals;
 };
 
-// Finishes the renames of a transaction that was cut off after its commit record, and drops the temporaries of
+// Finishes the renames and removals of a transaction that was cut off after its commit record, and drops the temporaries of
 // one that was cut off before. Leaves those of another process that still runs alone.
 Status recoverTransactions(const std::filesystem::path& folder);
 

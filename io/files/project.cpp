@@ -1,5 +1,6 @@
 #include "io/files/project.h"
 
+#include "io/base/log.h"
 #include "io/base/paths.h"
 #include "io/files/documents.h"
 #include "io/files/scene_file.h"
@@ -61,8 +62,10 @@ Result<SceneEntry> chooseScene(const Project& project, std::string_view asked, C
     return project.scenes.front();
 }
 
-void readTemplates(const Project& project, Scene& scene, Complaints& complaints)
+void readTemplates(World& world, Complaints& complaints)
 {
+    const Project& project = world.project;
+    Scene& scene = world.scene;
     std::set<std::string> seen;
     for (const std::string& name : project.templates) {
         if (!seen.insert(name).second) {
@@ -72,12 +75,14 @@ void readTemplates(const Project& project, Scene& scene, Complaints& complaints)
         }
         const TemplateId id = scene.templateSlot(name);
         Result<std::string> text = readProjectFile(project.folder, templateFile(name));
+        const std::uint64_t bytes = text ? fingerprint(*text) : 0;
         Result<Template> read =
             text ? readTemplateText(std::move(*text), shown(project.folder, templateFile(name)), complaints)
                  : Result<Template>{text.error()};
-        if (read)
+        if (read) {
             scene.exchange(id, std::move(*read));
-        else
+            world.templateFiles[name] = bytes;
+        } else
             complaints.push_back(
                 {Severity::Error, read.error().where, read.error().what + "; its objects stay empty places"});
     }
@@ -102,35 +107,62 @@ void readEnvironment(World& world, Complaints& complaints)
             {Severity::Error, read.error().where, read.error().what + "; the usual light is shown instead"});
 }
 
+// A template without a value was deleted if its file was read, else the file is missing or damaged.
+bool deleted(const World& world, const Scene::TemplateSlot& slot)
+{
+    return !slot.value && world.templateFiles.contains(slot.name);
+}
+
+// Without those that were deleted and with those that are new, which keep a sorted list sorted.
+std::vector<std::string> templateNames(const World& world)
+{
+    std::vector<std::string> names = world.project.templates;
+    for (const Scene::TemplateSlot& slot : world.scene.templates()) {
+        if (deleted(world, slot)) std::erase(names, slot.name);
+        if (!slot.value || std::ranges::find(names, slot.name) != names.end()) continue;
+        const bool sorted = std::ranges::is_sorted(names);
+        names.insert(sorted ? std::ranges::upper_bound(names, slot.name) : names.end(), slot.name);
+    }
+    return names;
+}
+
 ProjectBody bodyOf(const World& world)
 {
     const Scene& scene = world.scene;
-    ProjectBody body{world.project.name,
-                     world.project.start,
-                     world.project.scenes,
-                     world.project.templates,
-                     {scene.cameras().begin(), scene.cameras().end()},
-                     {scene.paths().begin(), scene.paths().end()},
-                     world.project.extra};
-    for (const Scene::TemplateSlot& slot : scene.templates())
-        if (slot.value && std::find(body.templates.begin(), body.templates.end(), slot.name) == body.templates.end())
-            body.templates.push_back(slot.name);
-    return body;
+    return {world.project.name,
+            world.project.start,
+            world.project.scenes,
+            templateNames(world),
+            {scene.cameras().begin(), scene.cameras().end()},
+            {scene.paths().begin(), scene.paths().end()},
+            world.project.extra};
 }
 
 // Adds a small file unless the one on disk says the same in other words: what a person laid out by hand, or cannot
-// be read and was not changed since, stays as it is.
+// be read and was not changed since, stays as it is. Answers the fingerprint of what then is on the disk.
 template <class T, class Read>
-void addIfChanged(FileTransaction& transaction, const fs::path& folder, const std::string& file, const T& value,
+std::uint64_t addIfChanged(FileTransaction& transaction, const fs::path& folder, const std::string& file, const T& value,
                   std::string text, Read read)
 {
     Complaints ignored;
     Result<std::string> old = readProjectFile(folder, file);
     if (old && *old != text) {
+        const std::uint64_t bytes = fingerprint(*old);
         const Result<T> parsed = read(std::move(*old), file, ignored);
-        if ((parsed ? *parsed : T{}) == value) return;
+        if ((parsed ? *parsed : T{}) == value) return bytes;
     }
+    const std::uint64_t bytes = fingerprint(text);
     transaction.add(file, std::move(text));
+    return bytes;
+}
+
+// What the files hold is what the world now remembers of them.
+void remember(World& world, std::vector<std::string> templates, decltype(World::templateFiles) templateFiles)
+{
+    world.project.templates = std::move(templates);
+    world.templateFiles = std::move(templateFiles);
+    for (const Object& object : world.scene.objects())
+        world.scene.lastSavedId = std::max(world.scene.lastSavedId, object.id);
 }
 
 } // namespace
@@ -159,7 +191,7 @@ Result<World> openWorld(const fs::path& project, std::string_view scene, Complai
     Result<SceneEntry> entry = chooseScene(world.project, scene, complaints);
     if (!entry) return entry.error();
     world.entry = *entry;
-    readTemplates(world.project, world.scene, complaints);
+    readTemplates(world, complaints);
     Result<std::string> sceneFile = readProjectFile(*folder, world.entry.file);
     if (!sceneFile) return sceneFile.error();
     Result<std::string> environment =
@@ -176,25 +208,47 @@ Result<FileTransaction::Report> saveWorld(World& world)
     const std::string environmentFile =
         world.environmentFile.empty() ? "environments/" + world.entry.name + ".json" : world.environmentFile;
     FileTransaction transaction{folder};
-    const ProjectBody body = bodyOf(world);
+    ProjectBody body = bodyOf(world);
     addIfChanged(transaction, folder, kProjectFile, body, projectText(body), readProjectText);
     transaction.add(world.entry.file, sceneText(world.scene, environmentFile));
     addIfChanged(transaction, folder, environmentFile, world.scene.environment(),
                  environmentText(world.scene.environment()), readEnvironmentText);
+    decltype(World::templateFiles) templateFiles;
     for (const Scene::TemplateSlot& slot : world.scene.templates()) {
+        if (deleted(world, slot)) transaction.remove(templateFile(slot.name), world.templateFiles[slot.name]);
         if (!slot.value) continue;
         const auto read = [&](std::string text, const std::string& file, Complaints& complaints) {
             Result<Template> result = readTemplateText(std::move(text), file, complaints);
             if (result) result->name = slot.name;
             return result;
         };
-        addIfChanged(transaction, folder, templateFile(slot.name), *slot.value, templateText(*slot.value), read);
+        templateFiles[slot.name] =
+            addIfChanged(transaction, folder, templateFile(slot.name), *slot.value, templateText(*slot.value), read);
     }
     Result<FileTransaction::Report> report = transaction.commit();
-    if (report)
-        for (const Object& object : world.scene.objects())
-            world.scene.lastSavedId = std::max(world.scene.lastSavedId, object.id);
+    if (!report) return report;
+    for (const fs::path& kept : report->kept)
+        log::warning("{}: another program changed it; the template is deleted, but the file stays",
+                     (folder / kept).string());
+    remember(world, std::move(body.templates), std::move(templateFiles));
     return report;
+}
+
+std::vector<std::string> otherScenesWith(const World& world, std::string_view templateName)
+{
+    std::vector<std::string> names;
+    for (const SceneEntry& entry : world.project.scenes) {
+        if (entry.file == world.entry.file) continue;
+        Result<std::string> text = readProjectFile(world.project.folder, entry.file);
+        Scene scene;
+        Complaints ignored;
+        if (!text || !readSceneText(std::move(*text), entry.file, scene, ignored)) continue;
+        const TemplateId id = scene.findTemplate(templateName);
+        if (id != TemplateId::None &&
+            std::ranges::any_of(scene.objects(), [&](const Object& object) { return object.templateId == id; }))
+            names.push_back(entry.name);
+    }
+    return names;
 }
 
 } // namespace io

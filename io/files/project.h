@@ -9,6 +9,7 @@
 #include "io/scene/scene.h"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,9 @@ struct World {
     SceneEntry entry;            // the scene that is open
     std::string environmentFile; // environments/NAME.json, named by the scene
     Scene scene;                 // objects, templates, environment, terrain; cameras and paths from project.json
+    // Templates that were read from a file or saved to it, and what it held (fingerprint()): only that file is
+    // removed when its template is deleted.
+    std::map<std::string, std::uint64_t, std::less<>> templateFiles;
 };
 
 // `project` is the folder or its project.json; an empty scene name is the start scene. Finishes or drops a save that
@@ -43,6 +47,9 @@ Result<World> openWorld(const std::filesystem::path& project, std::string_view s
 
 // The whole world as one transaction; what did not change is not written. The world remembers what its files hold.
 Result<FileTransaction::Report> saveWorld(World& world);
+
+// The other scenes of the project that hold objects of this template, by name.
+std::vector<std::string> otherScenesWith(const World& world, std::string_view templateName);
 
 // Models, height map and layer images that the scene names. What cannot be read is complained about and replaced
 // by a stand-in, so that the rest can be worked on. An error only when cancelled.

@@ -321,3 +321,18 @@ TEST(Properties, TextAsTypedOnACommandLineIsUnderstood)
     EXPECT_TRUE(setProperty(*document, "object.1.name", valueFromText("17")));
     EXPECT_EQ(document->scene().at(io::ObjectId{1}).name, "17");
 }
+
+TEST(Script, DeletesATemplateWithItsObjectsOrRefuses)
+{
+    Stage stage;
+    const std::string before = test::text(stage.document->scene());
+    const io::Value refused = stage.run(R"({"do":"delete_template","template":"blob"})");
+    EXPECT_NE(refused.find("error")->asString()->find("delete them too"), std::string::npos);
+    EXPECT_EQ(test::text(stage.document->scene()), before);
+    const double count = stage.number(R"({"do":"delete_template","template":"blob","objects":true})", "objects");
+    EXPECT_GT(count, 0);
+    EXPECT_EQ(double(stage.document->scene().objects().size()), 60 - count);
+    EXPECT_FALSE(*stage.run(R"({"do":"place","template":"blob","at":[0,0]})").find("ok")->asBool());
+    stage.ok(R"({"do":"undo"})");
+    EXPECT_EQ(test::text(stage.document->scene()), before);
+}

@@ -21,7 +21,10 @@ Files filesIn(const fs::path& folder)
     return files;
 }
 
-const Files kOld = {{"project.json", "old project"}, {"scenes/a.json", "old scene"}, {"same.json", "same"}};
+const Files kOld = {{"project.json", "old project"},
+                    {"scenes/a.json", "old scene"},
+                    {"same.json", "same"},
+                    {"templates/gone.json", "gone"}};
 const Files kNew = {{"project.json", "new project"},
                     {"scenes/a.json", "new scene"},
                     {"same.json", "same"},
@@ -38,6 +41,8 @@ FileTransaction transaction(const fs::path& folder, const Files& files)
     FileTransaction result{folder};
     for (const auto& [name, bytes] : files)
         result.add(name, bytes);
+    result.remove("templates/gone.json", fingerprint("gone"));
+    result.remove("templates/never.json", fingerprint("gone"));
     return result;
 }
 
@@ -90,11 +95,27 @@ TEST(FileTransaction, IsOldOrNewWhereverItIsCut)
         sawNew |= found == kNew;
         if (!WIFSIGNALED(status)) {
             EXPECT_EQ(found, kNew);
-            EXPECT_GE(cut, 9); // steps: 3 temporaries, 2 of the record, 3 renames, 2 at the end
+            EXPECT_GE(cut, 10); // steps: 3 temporaries, 2 of the record, 3 renames, 1 removal, 2 at the end
             break;
         }
     }
     EXPECT_TRUE(sawOld && sawNew);
+}
+
+TEST(FileTransaction, RecoveryRemovesOnlyWhatItsRecordMeant)
+{
+    const TemporaryFolder folder;
+    write(folder.path(), kOld);
+    inAnotherProcess([&] {
+        (void)transaction(folder.path(), kNew).commit([&](std::string_view step) {
+            if (step == "removal") ::kill(::getpid(), SIGKILL);
+        });
+    });
+    put(folder / "templates/gone.json", "written after the cut");
+    ASSERT_TRUE(recoverTransactions(folder.path()));
+    Files expected = kNew;
+    expected["templates/gone.json"] = "written after the cut";
+    EXPECT_EQ(filesIn(folder.path()), expected);
 }
 
 TEST(FileTransaction, RecoveryThatIsCutIsFinishedByTheNext)
@@ -155,7 +176,9 @@ TEST(Recovery, RefusesARecordThatReachesOutside)
     put(folder / ".evil.1-1.wold-tmp", "theirs");
     put(folder / "plain.txt", "plain");
     for (const char* renames : {R"([[".evil.1-1.wold-tmp","../victim.json"]])", R"([["../victim.json","stolen.json"]])",
-                                R"([["plain.txt","other.txt"]])", R"([[1,2]])", R"("x")", R"([["a"]])"}) {
+                                R"([["plain.txt","other.txt"]])", R"([[1,2]])", R"("x")", R"([["a"]])",
+                                R"([],"removals":[["plain.txt","x"]])", R"([],"removals":[["plain.txt"]])",
+                                R"([],"removals":[["../victim.json","1"]])"}) {
         put(folder / ".wold-commit", std::string{R"({"renames":)"} + renames + "}");
         EXPECT_FALSE(recoverTransactions(folder)) << renames;
     }

@@ -160,6 +160,66 @@ TEST(Project, TheHighestIdDoesNotReturnAfterItsObjectWasDeletedAndSaved)
     EXPECT_EQ(number(Opened(folder.path()).world->scene.freshId()), 10u);
 }
 
+TEST(Project, ADeletedTemplateTakesItsFileWithIt)
+{
+    const TemporaryFolder folder;
+    writeSample(folder.path());
+    const auto before = filesIn(folder.path());
+    Opened opened{folder.path()};
+    Scene& scene = opened.world->scene;
+    const TemplateId marker = scene.findTemplate("marker");
+    const auto object = scene.exchange(ObjectId{3}, std::nullopt);
+    const auto value = scene.exchange(marker, std::nullopt);
+    const auto saved = saveWorld(*opened.world);
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved->removed, (std::vector<fs::path>{"templates/marker.json"}));
+    EXPECT_FALSE(fs::exists(folder / "templates/marker.json"));
+    EXPECT_EQ(get(folder / "project.json").find("marker"), std::string::npos);
+    const Opened without{folder.path()};
+    EXPECT_EQ(listed(without.complaints), "");
+    EXPECT_EQ(without.world->project.templates, (std::vector<std::string>{"box"}));
+    const auto again = saveWorld(*opened.world);
+    EXPECT_TRUE(again->written.empty() && again->removed.empty());
+
+    scene.exchange(marker, value); // undone after the save
+    scene.exchange(ObjectId{3}, object);
+    ASSERT_TRUE(saveWorld(*opened.world));
+    EXPECT_EQ(filesIn(folder.path()), before);
+}
+
+TEST(Project, OnlyTheFileThatATemplateWasReadFromIsRemoved)
+{
+    const TemporaryFolder folder;
+    writeSample(folder.path());
+    put(folder / "templates/other.json", "mine"); // not of this project
+    Opened opened{folder.path()};
+    Scene& scene = opened.world->scene;
+    scene.exchange(scene.templateSlot("other"), std::nullopt);
+    scene.exchange(scene.findTemplate("marker"), std::nullopt);
+    scene.exchange(scene.findTemplate("box"), std::nullopt);
+    const std::string changed = get(folder / "templates/box.json") + "\n";
+    put(folder / "templates/box.json", changed); // by another program
+    fs::rename(folder / "templates/marker.json", folder / "templates/real.json");
+    fs::create_symlink("real.json", folder / "templates/marker.json");
+    const auto saved = saveWorld(*opened.world);
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved->kept.size(), 2u);
+    EXPECT_TRUE(saved->removed.empty());
+    EXPECT_EQ(get(folder / "templates/other.json"), "mine");
+    EXPECT_EQ(get(folder / "templates/box.json"), changed);
+    EXPECT_TRUE(fs::exists(folder / "templates/marker.json"));
+    EXPECT_TRUE(Opened(folder.path()).world->project.templates.empty());
+}
+
+TEST(Project, OtherScenesThatUseATemplateAreKnown)
+{
+    const TemporaryFolder folder;
+    writeSample(folder.path());
+    const Opened opened{folder.path()};
+    EXPECT_EQ(otherScenesWith(*opened.world, "box"), (std::vector<std::string>{"night"}));
+    EXPECT_TRUE(otherScenesWith(*opened.world, "yew").empty());
+}
+
 TEST(Project, FilesLaidOutByHandStayUntilTheyChange)
 {
     const TemporaryFolder folder;
