@@ -133,24 +133,16 @@ Mesh makeTent()
     const int wood = mesh.surface({.texture = "bark_dead", .roughness = 0.9f});
     const glm::vec3 front{0, kTop, kFront}, back{0, kTop - 0.06f, kBack};
     const auto foot = [](float side, float z) { return glm::vec3{side * kHalf, 0.02f, z}; };
-    addSheet(mesh, {.a = foot(1, kFront),
-                    .b = foot(1, kBack),
-                    .c = back,
-                    .d = front,
-                    .across = 5,
-                    .down = 4,
-                    .sag = 0.16f,
-                    .metres = 2,
-                    .surface = cloth});
-    addSheet(mesh, {.a = foot(-1, kBack),
-                    .b = foot(-1, kFront),
-                    .c = front,
-                    .d = back,
-                    .across = 5,
-                    .down = 4,
-                    .sag = 0.16f,
-                    .metres = 2,
-                    .surface = cloth});
+    for (const float side : {1.0f, -1.0f}) // the roof: its outside is to the right of whoever walks from a to b
+        addSheet(mesh, {.a = foot(side, side > 0 ? kFront : kBack),
+                        .b = foot(side, side > 0 ? kBack : kFront),
+                        .c = side > 0 ? back : front,
+                        .d = side > 0 ? front : back,
+                        .across = 5,
+                        .down = 4,
+                        .sag = 0.16f,
+                        .metres = 2,
+                        .surface = cloth});
     addSheet(mesh, {.a = foot(1, kBack),
                     .b = foot(-1, kBack),
                     .c = back,
@@ -161,24 +153,15 @@ Mesh makeTent()
                     .surface = cloth});
     for (const float side : {-1.0f, 1.0f}) { // flaps, folded back
         const glm::vec3 low = foot(side, kFront), out = low + glm::vec3{-side * 0.18f, 0, 0.55f};
-        if (side > 0)
-            addSheet(mesh, {.a = out,
-                            .b = low,
-                            .c = front,
-                            .d = front + glm::vec3{-0.02f, -0.05f, 0.04f},
-                            .across = 2,
-                            .down = 3,
-                            .sag = 0.1f,
-                            .surface = cloth});
-        else
-            addSheet(mesh, {.a = low,
-                            .b = out,
-                            .c = front + glm::vec3{0.02f, -0.05f, 0.04f},
-                            .d = front,
-                            .across = 2,
-                            .down = 3,
-                            .sag = 0.1f,
-                            .surface = cloth});
+        const glm::vec3 loose = front + glm::vec3{-side * 0.02f, -0.05f, 0.04f};
+        addSheet(mesh, {.a = side > 0 ? out : low,
+                        .b = side > 0 ? low : out,
+                        .c = side > 0 ? front : loose,
+                        .d = side > 0 ? loose : front,
+                        .across = 2,
+                        .down = 3,
+                        .sag = 0.1f,
+                        .surface = cloth});
     }
     addSheet(mesh, {.a = foot(-0.93f, kFront - 0.1f),
                     .b = foot(0.93f, kFront - 0.1f),

@@ -9,13 +9,19 @@
 namespace make {
 namespace {
 
-void addBare(Mesh& mesh, const Limb& limb, int sides, int surface, std::uint32_t seed)
+struct Wood {
+    Mesh mesh;
+    std::vector<Ring> rings; // of all its limbs
+};
+
+void addBare(Wood& wood, const Limb& limb, int sides, int surface, std::uint32_t seed)
 {
-    addTube(mesh, limb.rings,
+    wood.rings.insert(wood.rings.end(), limb.rings.begin(), limb.rings.end());
+    addTube(wood.mesh, limb.rings,
             {.sides = sides, .surface = surface, .metres = 1.3f, .pointed = true, .seed = seed, .wobble = 0.12f});
 }
 
-void addBareBranch(Mesh& mesh, const DeadShape& shape, const Limb& parent, int i, int surface, Random& random)
+void addBareBranch(Wood& wood, const DeadShape& shape, const Limb& parent, int i, int surface, Random& random)
 {
     const float share = glm::mix(0.28f, 0.96f, (float(i) + random.unit() * 0.8f) / float(shape.branches));
     const Ring start = ringAt(parent, share);
@@ -34,12 +40,12 @@ void addBareBranch(Mesh& mesh, const DeadShape& shape, const Limb& parent, int i
                                   .upturn = shape.lying ? 0.0f : 0.5f,
                                   .gnarl = 0.36f},
                                  random);
-    addBare(mesh, branch, shape.branchSides, surface, std::uint32_t(i));
+    addBare(wood, branch, shape.branchSides, surface, std::uint32_t(i));
     for (int k = 0; k < (broken < 1 ? 1 : shape.twigs); ++k) {
         const float at = random.range(0.35f, 0.92f);
         const Ring knot = ringAt(branch, at);
         const glm::vec3 direction = glm::normalize(directionAt(branch, at) * 0.7f + random.direction() * 0.8f);
-        addBare(mesh,
+        addBare(wood,
                 growLimb({.from = knot.centre,
                           .direction = direction,
                           .length = length * random.range(0.25f, 0.5f),
@@ -69,12 +75,19 @@ Limb lyingTrunk(const DeadShape& shape, Random& random)
     return limb;
 }
 
-// Fine unevenness for points that refining adds, so that more triangles show more wood.
-std::function<void(io::Vertex&)> grain(float depth, std::uint32_t seed)
+float thicknessAt(const std::vector<Ring>& rings, glm::vec3 p) // radius of the nearest ring, m
 {
-    return [depth, seed](io::Vertex& v) {
+    const auto away = [p](const Ring& ring) { return glm::length(ring.centre - p); };
+    return std::ranges::min_element(rings, {}, away)->radius;
+}
+
+// Fine unevenness for points that refining adds, so that more triangles show more wood. Never so deep that a twig
+// would turn inside out.
+std::function<void(io::Vertex&)> grain(float depth, std::uint32_t seed, const std::vector<Ring>& rings)
+{
+    return [depth, seed, &rings](io::Vertex& v) {
         const float lines = fbm(glm::vec3{v.position.x * 9, v.position.y * 2.5f, v.position.z * 9}, seed, {.count = 3});
-        v.position += v.normal * (lines * depth);
+        v.position += v.normal * (lines * std::min(depth, 0.25f * thicknessAt(rings, v.position)));
     };
 }
 
@@ -83,8 +96,8 @@ std::function<void(io::Vertex&)> grain(float depth, std::uint32_t seed)
 Mesh growDead(const DeadShape& shape)
 {
     Random random{shape.seed};
-    Mesh mesh;
-    const int surface = mesh.surface({.texture = "bark_dead", .roughness = 0.9f});
+    Wood wood;
+    const int surface = wood.mesh.surface({.texture = "bark_dead", .roughness = 0.9f});
     Limb trunk = shape.lying ? lyingTrunk(shape, random)
                              : growTrunk({.height = shape.height,
                                           .radius = shape.radius,
@@ -96,7 +109,8 @@ Mesh growDead(const DeadShape& shape)
                                          random);
     for (Ring& ring : trunk.rings)
         ring.light = shape.lying ? 0.85f : glm::mix(0.55f, 1.0f, glm::smoothstep(-0.2f, 1.2f, ring.centre.y));
-    addTube(mesh, trunk.rings,
+    wood.rings = trunk.rings;
+    addTube(wood.mesh, trunk.rings,
             {.sides = shape.sides,
              .surface = surface,
              .around = 2,
@@ -105,10 +119,10 @@ Mesh growDead(const DeadShape& shape)
              .seed = std::uint32_t(shape.seed),
              .wobble = 0.16f});
     for (int i = 0; i < shape.branches; ++i)
-        addBareBranch(mesh, shape, trunk, i, surface, random);
-    refineTo(mesh, shape.triangles, grain(shape.radius * 0.10f, std::uint32_t(shape.seed)));
-    smoothNormals(mesh, 70);
-    return mesh;
+        addBareBranch(wood, shape, trunk, i, surface, random);
+    refineTo(wood.mesh, shape.triangles, grain(shape.radius * 0.10f, std::uint32_t(shape.seed), wood.rings));
+    smoothNormals(wood.mesh, 70);
+    return std::move(wood.mesh);
 }
 
 Mesh makeStump(const StumpShape& shape)

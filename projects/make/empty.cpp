@@ -18,15 +18,12 @@ io::Status makeEmpty(const std::filesystem::path& folder, Textures& textures)
     for (const char* name : {"oak", "fir", "rock_mossy", "bush"})
         stage.addModels({&entryOf(name), 1});
     stage.addMarker("spawn_point", {0.6f, 1.8f, 0.6f});
-    io::TerrainLayer grass = layer("Grass", "ground_grass", 3.2f);
-    io::TerrainLayer dry = layer("Dry grass", "ground_dry", 3.4f);
-    dry.slope = {9, 90};
-    dry.blend = 0.5f;
-    io::TerrainLayer scree = layer("Scree", "ground_scree", 4);
-    scree.slope = {22, 90};
-    io::TerrainLayer rock = layer("Rock", "ground_rock", 8);
-    rock.slope = {36, 90};
-    if (io::Status ground = stage.addGround({grass, dry, scree, rock}, 512, -20, 60); !ground) return ground;
+    const std::vector<io::TerrainLayer> layers{
+        {.name = "Grass", .texture = "ground_grass", .metres = 3.2f},
+        {.name = "Dry grass", .texture = "ground_dry", .metres = 3.4f, .slope = {9, 90}, .blend = 0.5f},
+        {.name = "Scree", .texture = "ground_scree", .metres = 4, .slope = {22, 90}},
+        {.name = "Rock", .texture = "ground_rock", .metres = 8, .slope = {36, 90}}};
+    if (io::Status ground = stage.addGround(layers, 512, -20, 60); !ground) return ground;
     io::Environment environment;
     environment.time = 9.5f;
     environment.exposure = 3.3f;

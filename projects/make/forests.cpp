@@ -87,18 +87,15 @@ void setViews(Stage& stage)
 
 std::vector<io::TerrainLayer> layers()
 {
-    io::TerrainLayer floor = layer("Forest floor", "ground_forest", 3.6f);
-    io::TerrainLayer grass = layer("Grass", "ground_grass", 3.2f);
-    grass.slope = {0, 13};
-    grass.altitude = {-1e5f, 34};
-    grass.blend = 0.5f;
-    io::TerrainLayer scree = layer("Scree", "ground_scree", 4);
-    scree.slope = {27, 90};
-    scree.blend = 0.35f;
-    io::TerrainLayer rock = layer("Rock", "ground_rock", 8);
-    rock.slope = {36, 90};
-    rock.blend = 0.3f;
-    return {floor, grass, scree, rock};
+    return {{.name = "Forest floor", .texture = "ground_forest", .metres = 3.6f},
+            {.name = "Grass",
+             .texture = "ground_grass",
+             .metres = 3.2f,
+             .slope = {0, 13},
+             .altitude = {-1e5f, 34},
+             .blend = 0.5f},
+            {.name = "Scree", .texture = "ground_scree", .metres = 4, .slope = {27, 90}, .blend = 0.35f},
+            {.name = "Rock", .texture = "ground_rock", .metres = 8, .slope = {36, 90}}};
 }
 
 } // namespace

@@ -80,7 +80,7 @@ Mesh growFern(std::uint64_t seed, int fronds, float length)
                                   .uv0 = {0.5f + across * 0.5f, 1 - 0.5f * float(k + end)},
                                   .colour = shade(glm::mix(0.45f, 1.0f, float(k + end) / 2))};
             };
-            mesh.addQuad({corner(0, -1), corner(1, -1), corner(1, 1), corner(0, 1)}, surface);
+            mesh.addQuad({corner(0, -1), corner(0, 1), corner(1, 1), corner(1, -1)}, surface);
         }
     }
     return mesh;

@@ -1,6 +1,22 @@
 #include "projects/make/species.h"
 
 namespace make {
+namespace {
+
+TreeShape youngOf(TreeShape s) // thinner, simpler, its crown still closed
+{
+    s.trunkRadius = 0.12f, s.crownRadius = 2.1f, s.trunkSides = 6, s.trunkRings = 6;
+    s.branchSides = 3, s.branchRings = 3, s.twigs = 1, s.clumpSize = 0.50f, s.fill = 5;
+    return s;
+}
+
+TreeShape oldOf(TreeShape s)
+{
+    s.crownBase = 0.20f, s.trunkSides = 10, s.cards = 245, s.cardSize = 3.5f, s.fill = 12;
+    return s;
+}
+
+} // namespace
 
 TreeShape oak()
 {
@@ -28,20 +44,15 @@ TreeShape oak()
 }
 TreeShape oakYoung()
 {
-    TreeShape s = oak();
-    s.seed = 13, s.height = 6.4f, s.trunkRadius = 0.12f, s.crownRadius = 2.1f, s.crownBase = 0.24f, s.trunkSides = 6,
-    s.trunkRings = 6;
-    s.branches = 7, s.branchSides = 3, s.branchRings = 3, s.twigs = 1, s.cards = 92, s.cardSize = 1.45f,
-    s.clumpSize = 0.50f, s.fill = 5;
+    TreeShape s = youngOf(oak());
+    s.seed = 13, s.height = 6.4f, s.crownBase = 0.24f, s.branches = 7, s.cards = 92, s.cardSize = 1.45f;
     return s;
 }
 TreeShape oakOld()
 {
-    TreeShape s = oak();
-    s.bark = "bark_oak_mossy", s.seed = 17, s.height = 18, s.trunkRadius = 0.72f, s.crownRadius = 7.8f,
-    s.crownBase = 0.20f, s.trunkSides = 10;
-    s.branches = 12, s.gnarl = 0.34f, s.angleLow = 80, s.cards = 245, s.cardSize = 3.5f, s.clumpSize = 0.38f,
-    s.fill = 12;
+    TreeShape s = oldOf(oak());
+    s.bark = "bark_oak_mossy", s.seed = 17, s.height = 18, s.trunkRadius = 0.72f, s.crownRadius = 7.8f;
+    s.branches = 12, s.gnarl = 0.34f, s.angleLow = 80, s.clumpSize = 0.38f;
     return s;
 }
 TreeShape birch()
@@ -111,19 +122,14 @@ TreeShape beech()
 }
 TreeShape beechYoung()
 {
-    TreeShape s = beech();
-    s.seed = 41, s.height = 8.2f, s.trunkRadius = 0.12f, s.crownRadius = 2.1f, s.crownBase = 0.2f, s.trunkSides = 6,
-    s.trunkRings = 6;
-    s.branches = 8, s.branchSides = 3, s.branchRings = 3, s.twigs = 1, s.cards = 100, s.cardSize = 1.5f,
-    s.clumpSize = 0.50f, s.fill = 5;
+    TreeShape s = youngOf(beech());
+    s.seed = 41, s.height = 8.2f, s.crownBase = 0.2f, s.branches = 8, s.cards = 100, s.cardSize = 1.5f;
     return s;
 }
 TreeShape beechOld()
 {
-    TreeShape s = beech();
-    s.seed = 43, s.height = 24, s.trunkRadius = 0.58f, s.crownRadius = 7.0f, s.crownBase = 0.2f, s.trunkSides = 10,
-    s.branches = 13;
-    s.cards = 245, s.cardSize = 3.5f, s.clumpSize = 0.40f, s.fill = 12;
+    TreeShape s = oldOf(beech());
+    s.seed = 43, s.height = 24, s.trunkRadius = 0.58f, s.crownRadius = 7.0f, s.branches = 13, s.clumpSize = 0.40f;
     return s;
 }
 TreeShape inAutumn(TreeShape shape, const char* leaf, std::uint64_t seed)

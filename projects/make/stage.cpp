@@ -213,15 +213,6 @@ io::Status Stage::save()
     return saved ? io::Status{} : io::Status{saved.error()};
 }
 
-io::TerrainLayer layer(const char* name, const char* texture, float metres)
-{
-    io::TerrainLayer result;
-    result.name = name;
-    result.texture = texture;
-    result.metres = metres;
-    return result;
-}
-
 io::Camera cameraAt(const Stage& stage, const std::string& name, glm::vec3 eye, glm::vec3 target, float fov)
 {
     const io::PathKey key = keyAt(stage, 0, eye, target, fov);

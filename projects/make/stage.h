@@ -58,8 +58,6 @@ private:
     std::map<std::pair<int, int>, std::vector<glm::vec3>> m_taken; // x, z, radius by square of 8 m
 };
 
-io::TerrainLayer layer(const char* name, const char* texture, float metres);
-
 // A camera at `eye` that looks at `target`; heights are above the ground there.
 io::Camera cameraAt(const Stage& stage, const std::string& name, glm::vec3 eye, glm::vec3 target, float fov);
 io::PathKey keyAt(const Stage& stage, double time, glm::vec3 eye, glm::vec3 target, float fov = 60);

@@ -7,38 +7,34 @@ namespace {
 
 std::vector<io::TerrainLayer> layers()
 {
-    io::TerrainLayer meadow = layer("Meadow", "ground_grass", 3.2f);
-
-    io::TerrainLayer knolls = layer("Dry meadow", "ground_dry", 3.4f); // on the plain's low knolls
-    knolls.altitude = {34.6f, 46};
-    knolls.slope = {0, 14};
-    knolls.blend = 0.05f;
-    knolls.colour = {0.85f, 0.9f, 0.75f};
-
-    io::TerrainLayer floor = layer("Forest floor", "ground_forest", 3.6f);
-    floor.altitude = {52, 1e5f};
-    floor.blend = 0.5f;
-
-    io::TerrainLayer dry = layer("Dry grass", "ground_dry", 3.4f);
-    dry.altitude = {165, 1e5f};
-    dry.blend = 0.9f;
-
-    io::TerrainLayer scree = layer("Scree", "ground_scree", 4);
-    scree.slope = {33, 90};
-    scree.altitude = {40, 1e5f};
-    scree.blend = 0.35f;
-
-    io::TerrainLayer rock = layer("Rock", "ground_rock", 9);
-    rock.slope = {39, 90};
-    rock.altitude = {38, 1e5f};
-    rock.blend = 0.3f;
-    rock.roughness = 0.85f;
-
-    io::TerrainLayer pebbles = layer("Pebbles", "ground_pebbles", 2.6f);
-    pebbles.altitude = {-1e5f, 29.3f};
-    pebbles.blend = 0.02f;
-    pebbles.roughness = 0.8f;
-    return {meadow, knolls, floor, dry, scree, rock, pebbles};
+    return {{.name = "Meadow", .texture = "ground_grass", .metres = 3.2f},
+            {.name = "Dry meadow", // on the plain's low knolls
+             .texture = "ground_dry",
+             .colour = {0.85f, 0.9f, 0.75f},
+             .metres = 3.4f,
+             .slope = {0, 14},
+             .altitude = {34.6f, 46},
+             .blend = 0.05f},
+            {.name = "Forest floor", .texture = "ground_forest", .metres = 3.6f, .altitude = {52, 1e5f}, .blend = 0.5f},
+            {.name = "Dry grass", .texture = "ground_dry", .metres = 3.4f, .altitude = {165, 1e5f}, .blend = 0.9f},
+            {.name = "Scree",
+             .texture = "ground_scree",
+             .metres = 4,
+             .slope = {33, 90},
+             .altitude = {40, 1e5f},
+             .blend = 0.35f},
+            {.name = "Rock",
+             .texture = "ground_rock",
+             .roughness = 0.85f,
+             .metres = 9,
+             .slope = {39, 90},
+             .altitude = {38, 1e5f}},
+            {.name = "Pebbles",
+             .texture = "ground_pebbles",
+             .roughness = 0.8f,
+             .metres = 2.6f,
+             .altitude = {-1e5f, 29.3f},
+             .blend = 0.02f}};
 }
 
 // A clear morning late in September.
