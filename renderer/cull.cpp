@@ -17,6 +17,7 @@ glsl::CullView cullView(const CullRequest& request, std::size_t instances)
     view.required = request.required;
     view.refused = request.refused;
     view.count = std::uint32_t(instances);
+    view.impostors = request.impostors;
     return view;
 }
 

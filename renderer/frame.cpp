@@ -79,6 +79,7 @@ GeometryPass::Drawn Renderer::State::choose(GpuFrame& gpu, const FrameInput& in,
                                          .eye = eye.position,
                                          .smallestAngle = float(kSmallestPixels / 2 * viewpoint.view.pixelAngle),
                                          .errorAngle = in.settings.lod ? in.settings.lodPixels * viewpoint.view.pixelAngle : 0.0f,
+                                         .impostors = true,
                                          .refused = in.markers ? 0u : CULL_MARKER},
                                         true);
     drawn.ground = scenery.terrain.draws(gpu.stream(), volume);

@@ -22,7 +22,7 @@ struct CullModel {
     uint levels;    // at least 1
     uint firstBin;
     uint whole;     // 1: never fades, as blended parts cannot
-    uint unused;
+    uint impostor;  // 1: the last level is one
 };
 SHARED_STRUCT_END(CullModel, 48)
 
@@ -35,7 +35,8 @@ struct CullView {
     uint required;     // flags
     uint refused;
     uint count;        // instances
-    uint unused0; uint unused1;
+    uint impostors;    // 1: they will do
+    uint unused;
 };
 SHARED_STRUCT_END(CullView, 128)
 
@@ -79,7 +80,8 @@ SHARED_FUNCTION LevelChoice chooseLevel(CullRecord r, CullModel m, CullView v)
     choice.share = DRAWN_FADE_STEPS;
     vec3 d = r.centre - v.eye;
     float seen = v.errorAngle * max(sqrt(dot(d, d)) - r.radius, 0.0f) + v.errorLength;
-    for (int level = 1; level < int(m.levels); ++level)
+    int levels = int(m.levels) - (v.impostors != 0u ? 0 : int(m.impostor));
+    for (int level = 1; level < levels; ++level)
         if (levelError(m, level) * r.radius <= seen) choice.level = level;
     if (choice.level == 0 || v.errorAngle <= 0.0f) return choice;
     float beyond = seen / (levelError(m, choice.level) * r.radius) - 1.0f;
