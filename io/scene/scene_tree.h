@@ -43,8 +43,8 @@ public:
 
     static constexpr double kReach = 0x1p40;      // m; boxes beyond are refused
     static constexpr double kLeastSide = 0x1p-4;  // m; cells do not get smaller
-    static constexpr std::uint32_t kCrowded = 32; // a leaf with more splits
-    static constexpr std::uint32_t kThin = 12;    // a node with no more below it becomes a leaf
+    static constexpr std::uint32_t kCrowded = 64; // a leaf with more splits
+    static constexpr std::uint32_t kThin = 24;    // a node with no more below it becomes a leaf
 
     SceneTree() = default;
     SceneTree(SceneTree&&) = default;

@@ -348,7 +348,7 @@ TEST(SceneTree, ATowerIsSplitInHeight)
         ++seen;
         return double(node.box.min.y) <= 5000 && double(node.box.max.y) >= 5000;
     });
-    EXPECT_LT(seen, 60u);
+    EXPECT_LT(seen, 40u);
 }
 
 TEST(SceneTree, ChildrenComeInTheOrderAskedFor)
@@ -396,19 +396,22 @@ TEST(SceneTree, TheRayStopsWhereItIsToldTo)
     EXPECT_EQ(met, 6);
 }
 
-TEST(SceneTree, AMillionThingsTakeSixtyBytesEach)
+// However dense they lie: the grid of cells is as coarse as it is.
+TEST(SceneTree, AThingTakesSixtyBytes)
 {
     Dice dice{6};
-    std::vector<std::uint32_t> values(200'000);
+    std::vector<std::uint32_t> values(100'000);
     std::vector<WorldBox> boxes(values.size());
-    Tree oneByOne;
-    for (std::uint32_t i = 0; i < values.size(); ++i) {
-        values[i] = i;
-        boxes[i] = boxAt({dice.in(-5e4, 5e4), dice.in(0, 100), dice.in(-5e4, 5e4)}, {2, 3, 2});
-        oneByOne.insert(i, boxes[i]);
+    for (const double reach : {5e4, 4.1e4, 3.2e4, 2.6e4}) {
+        Tree oneByOne;
+        for (std::uint32_t i = 0; i < values.size(); ++i) {
+            values[i] = i;
+            boxes[i] = boxAt({dice.in(-reach, reach), dice.in(0, 100), dice.in(-reach, reach)}, {2, 3, 2});
+            oneByOne.insert(i, boxes[i]);
+        }
+        Tree tree;
+        tree.build(values, [&](std::uint32_t i) { return boxes[i]; });
+        EXPECT_LT(double(tree.bytes()) / double(values.size()), 60) << reach;
+        EXPECT_LT(double(oneByOne.bytes()) / double(values.size()), 80) << reach;
     }
-    Tree tree;
-    tree.build(values, [&](std::uint32_t i) { return boxes[i]; });
-    EXPECT_LT(double(tree.bytes()) / double(values.size()), 60);
-    EXPECT_LT(double(oneByOne.bytes()) / double(values.size()), 75);
 }
