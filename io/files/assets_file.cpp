@@ -2,6 +2,7 @@
 #include "io/base/paths.h"
 #include "io/files/height_map_file.h"
 #include "io/files/image_file.h"
+#include "io/files/levels.h"
 #include "io/files/model_file.h"
 #include "io/files/project.h"
 
@@ -150,7 +151,10 @@ std::shared_ptr<const Model> readTemplateModel(const World& world, TemplateId id
     if (!value) return box(glm::vec3{1}, kMissingColour);
     if (value->model.empty()) return box(value->markerSize, kMarkerColour);
     Result<Model> model = readModelOf(world, value->model, complaints);
-    if (model) return std::make_shared<const Model>(std::move(*model));
+    if (model) {
+        addLevels(*model);
+        return std::make_shared<const Model>(std::move(*model));
+    }
     complaints.push_back(complaintOf(templatePath(world, value->name), "model", model.error()));
     return box(value->markerSize, kMissingColour);
 }

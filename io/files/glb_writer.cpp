@@ -241,11 +241,21 @@ bool consistent(const Model& model)
                        [&](std::uint32_t index) { return index < model.vertices.size(); });
 }
 
+// Levels are made anew by whoever reads the file; the vertices that only they use stand last.
+Model withoutLevels(Model model)
+{
+    model.levels.clear();
+    const auto last = std::max_element(model.indices.begin(), model.indices.end());
+    model.vertices.resize(last == model.indices.end() ? 0 : *last + std::size_t{1});
+    return model;
+}
+
 } // namespace
 
 Result<std::string> encodeGlb(const Model& model)
 {
     if (!consistent(model)) return Error{model.name, "the model has no triangles, or parts that do not fit its data"};
+    if (!model.levels.empty()) return encodeGlb(withoutLevels(model));
     Buffer buffer;
     Value meshes = Value::Object{{"name", model.name}, {"primitives", primitives(model, buffer)}};
     MaterialWriter writer{model};
