@@ -82,6 +82,9 @@ void ImguiHost::keepShortTaps()
     glfwSetKeyCallback(m_window->handle(), [](GLFWwindow*, int key, int scancode, int action, int mods) {
         if (g_host) g_host->onKey(key, scancode, action, mods);
     });
+    glfwSetMouseButtonCallback(m_window->handle(), [](GLFWwindow*, int button, int action, int mods) {
+        if (g_host) g_host->onButton(button, action, mods);
+    });
 }
 
 void ImguiHost::onKey(int key, int scancode, int action, int mods)
@@ -89,6 +92,24 @@ void ImguiHost::onKey(int key, int scancode, int action, int mods)
     if (action == GLFW_RELEASE && m_pressed) return m_releases.push_back({key, scancode, mods});
     m_pressed |= action == GLFW_PRESS;
     ImGui_ImplGlfw_KeyCallback(m_window->handle(), key, scancode, action, mods);
+}
+
+void ImguiHost::onButton(int button, int action, int mods)
+{
+    glm::dvec2 at;
+    glfwGetCursorPos(m_window->handle(), &at.x, &at.y);
+    if (action == GLFW_PRESS) m_pressedAt = at, m_releasedAt.reset();
+    if (action == GLFW_RELEASE) m_releasedAt = at;
+    ImGui_ImplGlfw_MouseButtonCallback(m_window->handle(), button, action, mods);
+}
+
+// The pointer may have gone on within a slow frame: a click counts where it was made. A click that began and ended within
+// one frame is held down for that frame, and let go in the next.
+void ImguiHost::pointerWhereItActed()
+{
+    std::optional<glm::vec2>& at = m_pressedAt ? m_pressedAt : m_releasedAt;
+    if (at) ImGui::GetIO().MousePos = {at->x, at->y};
+    at.reset();
 }
 
 void ImguiHost::setScale(float scale)
@@ -110,6 +131,7 @@ void ImguiHost::begin(glm::ivec2 size, double seconds)
     ImGui_ImplOpenGL3_NewFrame();
     if (m_window) {
         ImGui_ImplGlfw_NewFrame();
+        pointerWhereItActed();
     } else {
         ImGuiIO& io = ImGui::GetIO();
         io.DisplaySize = {float(size.x), float(size.y)};

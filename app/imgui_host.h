@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 namespace app {
@@ -24,6 +25,8 @@ public:
 private:
     void keepShortTaps();
     void onKey(int key, int scancode, int action, int mods);
+    void onButton(int button, int action, int mods);
+    void pointerWhereItActed();
 
     struct Release {
         int key, scancode, mods;
@@ -32,6 +35,7 @@ private:
     float m_scale = 0;
     bool m_pressed = false;          // a key, since the last frame
     std::vector<Release> m_releases; // that wait for the next frame
+    std::optional<glm::vec2> m_pressedAt, m_releasedAt; // the pointer, where a button did so since the last frame
 };
 
 } // namespace app

@@ -84,7 +84,7 @@ void Editor::openLater(const std::filesystem::path& project, const std::string& 
 {
     if (m_host.repeatable())
         open(project, scene);
-    else if (!m_loading.running())
+    else
         m_loading.start(project, scene);
 }
 

@@ -1,30 +1,38 @@
 #include "editor/loading.h"
 
+#include "editor/keys.h"
 #include "editor/text.h"
 #include "editor/widgets.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace editor {
 
+Loading::~Loading()
+{
+    cancel();
+    if (m_thread.joinable()) m_thread.join();
+}
+
 void Loading::start(std::filesystem::path project, std::string scene)
 {
-    EXPECTS(!running());
+    cancel();
+    if (m_thread.joinable()) m_thread.join();
+    m_document.reset();
     m_name =
         project.filename() == "project.json" ? project.parent_path().filename().string() : project.filename().string();
     m_cancelled = false;
     m_fraction = 0;
     m_step.clear();
-    m_done = false;
+    m_done = m_announced = false;
     m_thread = std::thread{[this, project = std::move(project), scene = std::move(scene)] { read(project, scene); }};
 }
 
 void Loading::read(const std::filesystem::path& project, const std::string& scene)
 {
     auto opened = Document::open(project, scene, [this](float fraction, std::string_view step) {
-        m_fraction = fraction;
-        const std::lock_guard lock{m_mutex};
-        m_step = step;
+        say(fraction, step);
         return !m_cancelled;
     });
     if (opened)
@@ -34,20 +42,30 @@ void Loading::read(const std::filesystem::path& project, const std::string& scen
     m_done = true;
 }
 
-void Loading::cancel()
+void Loading::say(float fraction, std::string_view step)
 {
-    if (!running()) return;
-    m_cancelled = true;
-    m_thread.join();
-    m_document.reset();
+    m_fraction = fraction;
+    const std::lock_guard lock{m_mutex};
+    m_step = step;
 }
 
+// What the graphics card and the picker need is made on this thread, and the window stands still meanwhile.
 std::optional<Loading::Opened> Loading::finished()
 {
-    if (!running() || !m_done) return {};
+    if (!m_thread.joinable() || !m_done) return {};
+    if (!m_cancelled && m_document && !std::exchange(m_announced, true)) {
+        say(1, tr("loading.prepares"));
+        return {};
+    }
     m_thread.join();
-    if (m_document) return Opened{std::move(m_document)};
-    return Opened{m_error};
+    std::unique_ptr<Document> document = std::move(m_document);
+    if (m_cancelled) return {};
+    std::optional<Opened> opened; // made in place: g++ 12 with sanitizers mistrusts a moved Result
+    if (document)
+        opened.emplace(std::move(document));
+    else
+        opened.emplace(m_error);
+    return opened;
 }
 
 void Loading::draw()
@@ -79,7 +97,7 @@ void Loading::draw()
         draw.AddRectFilled({at.x, at.y + 4}, {at.x + (kWidth - 40) * fraction, at.y + 10}, palette::kAccent, 3);
     ImGui::Dummy({0, 20});
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 120);
-    if (ui::button("cancel", tr("dialog.cancel"), ui::Emphasis::Normal, {120, 0})) cancel();
+    if (ui::button("cancel", tr("dialog.cancel"), ui::Emphasis::Normal, {120, 0}) || pressed(Key::Escape)) cancel();
     if (!running()) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }

@@ -135,9 +135,10 @@ void Viewport::drawPicture(Editor& editor)
 void Viewport::input(Editor& editor, double seconds)
 {
     m_speedShown = std::max(0.0, m_speedShown - seconds);
-    if (ImGui::IsItemActivated()) press(editor);
+    const bool pressed = ImGui::IsItemActivated();
+    if (pressed) press(editor);
     updateHover(editor);
-    if (m_drag != Drag::None) hold(editor, seconds);
+    if (m_drag != Drag::None && !pressed) hold(editor, seconds); // the way to the press is no drag
     if (m_drag != Drag::None && !ImGui::IsItemActive()) release(editor);
     if (m_drag != Drag::Look && camera.moving()) camera.fly({0, 0, 0}, false, seconds);
     if (m_hovered || m_drag == Drag::Look) wheel(editor);
@@ -149,6 +150,7 @@ void Viewport::press(Editor& editor)
 {
     const ImGuiIO& io = ImGui::GetIO();
     m_pressed = pointer();
+    m_flew = false;
     if (io.MouseClicked[ImGuiMouseButton_Right]) {
         m_drag = Drag::Look;
     } else if (io.MouseClicked[ImGuiMouseButton_Middle]) {
@@ -187,11 +189,13 @@ void Viewport::hold(Editor& editor, double seconds)
     switch (m_drag) {
     case Drag::None:
         break;
-    case Drag::Look:
+    case Drag::Look: {
+        const glm::dvec3 keys{axisOf(Key::D, Key::A), axisOf(Key::E, Key::Q), axisOf(Key::W, Key::S)};
+        m_flew |= keys != glm::dvec3{0};
         camera.look(mouseDelta());
-        camera.fly({axisOf(Key::D, Key::A), axisOf(Key::E, Key::Q), axisOf(Key::W, Key::S)}, ImGui::GetIO().KeyShift,
-                   seconds);
+        camera.fly(keys, ImGui::GetIO().KeyShift, seconds);
         break;
+    }
     case Drag::Orbit:
         camera.orbit(mouseDelta());
         break;
@@ -219,7 +223,7 @@ void Viewport::release(Editor& editor)
     const Drag ended = std::exchange(m_drag, Drag::None);
     switch (ended) {
     case Drag::Look:
-        if (clickDistance()) break;
+        if (m_flew || clickDistance()) break;
         if (m_placing != io::TemplateId::None)
             stopPlacing();
         else
@@ -248,6 +252,7 @@ void Viewport::wheel(Editor& editor)
     if (steps == 0) return;
     if (m_drag == Drag::Look) {
         camera.changeSpeed(steps);
+        m_flew = true;
         m_speedShown = kSpeedShown;
     } else if (m_placing != io::TemplateId::None && ImGui::GetIO().KeyCtrl && m_ghost) {
         m_yaw = m_ghost->transform.rotation.y + float(steps) * 15;

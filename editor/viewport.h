@@ -89,6 +89,7 @@ private:
     bool m_hovered = false;
     Drag m_drag = Drag::None;
     glm::dvec2 m_pressed{0};
+    bool m_flew = false; // since the press
     ClickCycle m_cycle;
     std::vector<io::ObjectId> m_dragIds;
 

@@ -126,6 +126,12 @@ TEST(Lang, BothLanguagesHoldTheSameKeys)
         EXPECT_TRUE(english.contains(key)) << "en.json lacks " << key;
 }
 
+TEST(Lang, EachCallsItselfByItsOwnName)
+{
+    EXPECT_EQ(textsOf("en")["language.name"], "English");
+    EXPECT_EQ(textsOf("cs")["language.name"], "Čeština");
+}
+
 TEST(Lang, NoTextIsMissing)
 {
     const auto english = textsOf("en");

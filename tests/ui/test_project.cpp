@@ -107,6 +107,22 @@ TEST(Project, IsOpenedInTheBackground)
     EXPECT_NE(rig.editor->viewport().placing(), io::TemplateId::None);
 }
 
+TEST(Project, EscapeCancelsWhatIsBeingOpened)
+{
+    const Project project;
+    Rig rig{crates(2)};
+    rig.host.background = true;
+    rig.editor->openLater(project.path);
+    rig.frame(2);
+    rig.key({.key = Key::Escape}); // at once, and the dialog stays a frame longer than the reading
+    for (int i = 0; i < 20; ++i) {
+        rig.frame();
+        std::this_thread::sleep_for(std::chrono::milliseconds{5});
+    }
+    EXPECT_EQ(rig.document().scene().objects().size(), 2u);
+    EXPECT_FALSE(rig.has("Cancel", "button", "dialog"));
+}
+
 TEST(Project, ADamagedOneIsAMessageAndTheRestGoesOn)
 {
     const Project project;

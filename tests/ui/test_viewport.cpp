@@ -133,4 +133,31 @@ TEST(Viewport, RightButtonLooksAndFlies)
     EXPECT_EQ(rig.editor->viewport().gizmo.mode, editor::GizmoMode::Translate); // W flew, it was no shortcut
 }
 
+TEST(Viewport, OnlyAClickOfTheRightButtonOpensTheMenu)
+{
+    Rig rig;
+    const ImVec2 at = rig.onScreen({8, 0, 10});
+    rig.click(at, 1);
+    EXPECT_TRUE(rig.has("Paste", "menu item", "popup"));
+    rig.key({.key = Key::Escape});
+    rig.move(at);
+    rig.press(1);
+    ImGui::GetIO().KeysDown[int(Key::W)] = true;
+    rig.frame(5);
+    ImGui::GetIO().KeysDown[int(Key::W)] = false;
+    rig.release(1); // flown, with the mouse at rest
+    EXPECT_FALSE(rig.has("Paste", "menu item", "popup"));
+}
+
+TEST(Viewport, TheWayToAPressDoesNotTurnTheView)
+{
+    Rig rig;
+    const io::Camera before = rig.editor->viewport().camera.camera();
+    rig.move(rig.onScreen({0, 0, 10}));
+    ImGui::GetIO().MousePos = rig.onScreen({12, 0, 10}); // within the frame that sees the press: a slow one
+    rig.press(1);
+    EXPECT_EQ(rig.editor->viewport().camera.camera().yaw, before.yaw);
+    rig.release(1);
+}
+
 } // namespace
