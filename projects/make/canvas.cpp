@@ -72,7 +72,7 @@ Picture colourPicture(const Canvas& canvas, bool withAlpha, int step)
             std::byte* out = image.row<std::byte>(y) + x * channels;
             for (int c = 0; c < 3; ++c)
                 out[c] = quantised(texel.colour[c], step);
-            if (withAlpha) out[3] = quantised(texel.alpha, 5); // 255 is a multiple
+            if (withAlpha) out[3] = quantised(texel.alpha, 17); // 255 is a multiple; a mask asks for no more
         }
     return std::make_shared<const io::Image>(std::move(image));
 }

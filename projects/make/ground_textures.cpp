@@ -195,10 +195,10 @@ Canvas paintGround(std::string_view name)
         Canvas canvas = paintSoil(seed, rgb(0x241f12), rgb(0x3f3620));
         growBlades(canvas,
                    {.count = 44000,
-                    .dark = rgb(0x283818),
-                    .light = rgb(0x6d823e),
-                    .straw = rgb(0x90854e),
-                    .strawShare = 0.10f},
+                    .dark = rgb(0x2c3a1a),
+                    .light = rgb(0x78863f),
+                    .straw = rgb(0xa39458),
+                    .strawShare = 0.20f},
                    seed + 1);
         return canvas;
     }

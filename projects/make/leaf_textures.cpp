@@ -191,23 +191,23 @@ Canvas paintFir(std::uint32_t seed)
 
 Spray sprayOf(std::string_view name)
 {
-    const Palette oak{rgb(0x2c3a18), rgb(0x55662a), rgb(0x83904a), rgb(0x9a8a48)};
-    const Palette birch{rgb(0x3c481e), rgb(0x70803a), rgb(0x9ca45a), rgb(0xb8a850)};
-    const Palette beech{rgb(0x2c3c18), rgb(0x56682c), rgb(0x84904c), rgb(0xa0984a)};
+    const Palette oak{rgb(0x222e13), rgb(0x4c5c28), rgb(0x848e4c), rgb(0xa08c48), 0.09f};
+    const Palette birch{rgb(0x2f3a18), rgb(0x667434), rgb(0x9ea45c), rgb(0xc0aa50), 0.14f};
+    const Palette beech{rgb(0x1f2d14), rgb(0x475a2a), rgb(0x7c8a4c), rgb(0xa4984c), 0.08f};
     const Palette russet{rgb(0x46301a), rgb(0x7d5a34), rgb(0xa68a52), rgb(0x747638), 0.22f};
     const Palette gold{rgb(0x6a5418), rgb(0xa88c3a), rgb(0xccb468), rgb(0x8c9440), 0.10f};
     const Palette copper{rgb(0x4c2c14), rgb(0x8c6234), rgb(0xb89656), rgb(0x94904a), 0.28f};
     const Palette shrub{rgb(0x26341a), rgb(0x4a5c2c), rgb(0x76864a), rgb(0x8a5a40)};
-    if (name == "leaf_oak") return {.leaf = Leaf::Oak, .palette = oak, .leafLength = 92, .spacing = 42};
+    if (name == "leaf_oak") return {.leaf = Leaf::Oak, .palette = oak, .leafLength = 68, .spacing = 31};
     if (name == "leaf_birch")
-        return {.leaf = Leaf::Birch, .palette = birch, .leafLength = 66, .spacing = 36, .droop = 0.35f};
-    if (name == "leaf_beech") return {.leaf = Leaf::Beech, .palette = beech, .leafLength = 78, .spacing = 39};
-    if (name == "leaf_oak_autumn") return {.leaf = Leaf::Oak, .palette = russet, .leafLength = 92, .spacing = 45};
+        return {.leaf = Leaf::Birch, .palette = birch, .leafLength = 52, .spacing = 29, .droop = 0.35f};
+    if (name == "leaf_beech") return {.leaf = Leaf::Beech, .palette = beech, .leafLength = 60, .spacing = 30};
+    if (name == "leaf_oak_autumn") return {.leaf = Leaf::Oak, .palette = russet, .leafLength = 68, .spacing = 33};
     if (name == "leaf_birch_autumn")
-        return {.leaf = Leaf::Birch, .palette = gold, .leafLength = 66, .spacing = 38, .droop = 0.35f};
-    if (name == "leaf_beech_autumn") return {.leaf = Leaf::Beech, .palette = copper, .leafLength = 78, .spacing = 41};
+        return {.leaf = Leaf::Birch, .palette = gold, .leafLength = 52, .spacing = 30, .droop = 0.35f};
+    if (name == "leaf_beech_autumn") return {.leaf = Leaf::Beech, .palette = copper, .leafLength = 60, .spacing = 31};
     EXPECTS(name == "leaf_bush");
-    return {.leaf = Leaf::Beech, .palette = shrub, .leafLength = 64, .spacing = 38};
+    return {.leaf = Leaf::Beech, .palette = shrub, .leafLength = 52, .spacing = 31};
 }
 
 Canvas paintLarge(std::string_view name)

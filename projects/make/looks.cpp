@@ -8,21 +8,23 @@ io::Template treeLook(float footprint, float sink)
             .tilt = 2.5f,
             .sink = sink,
             .collision = io::Collision::Capsule,
-            .footprint = footprint};
+            .footprint = footprint,
+            .impostor = true};
 }
 io::Template stoneLook(glm::vec2 scale, float sink, float tilt)
 {
-    return {.scale = scale, .tilt = tilt, .alignToGround = true, .sink = sink, .footprint = 0.5f};
+    return {.scale = scale, .tilt = tilt, .alignToGround = true, .sink = sink, .footprint = 0.5f, .impostor = true};
 }
 io::Template plantLook(glm::vec2 scale, float sink)
 {
-    return {.scale = scale, .tilt = 5, .sink = sink, .collision = io::Collision::None, .castShadow = true};
+    return {.scale = scale, .tilt = 5, .sink = sink, .collision = io::Collision::None, .impostor = true};
 }
 io::Template tuftLook(glm::vec2 scale)
 {
     io::Template look = plantLook(scale, 0.02f);
     look.alignToGround = true;
     look.castShadow = false;
+    look.impostor = false;
     return look;
 }
 io::Template builtLook(float footprint, float sink)

@@ -193,7 +193,7 @@ io::Status Stage::addGround(std::vector<io::TerrainLayer> layers, int side, doub
         layer.normalTexture = stem + "_normal.jpg";
         if (io::Status written = io::writeImage(folder / layer.texture, shrunk(*texture.colour, side), 85); !written)
             return written;
-        if (io::Status written = io::writeImage(folder / layer.normalTexture, shrunk(*texture.normal, side), 80);
+        if (io::Status written = io::writeImage(folder / layer.normalTexture, shrunk(*texture.normal, side), 75);
             !written)
             return written;
     }

@@ -5,7 +5,7 @@
 namespace make {
 namespace {
 
-constexpr int kColourStep = 5;
+constexpr int kColourStep = 7;
 constexpr int kNormalStep = 8;
 
 Texture make(std::string_view name)

@@ -19,6 +19,7 @@ float envelope(float s, float widest)
 struct Clump {
     glm::vec3 centre;
     float radius;
+    float tone; // of its leaves
 };
 
 struct Skeleton {
@@ -107,7 +108,8 @@ private:
 
     void addClump(Skeleton& tree, glm::vec3 centre, float size)
     {
-        tree.clumps.push_back({centre, m_shape.crownRadius * m_shape.clumpSize * size * m_random.range(0.85f, 1.15f)});
+        tree.clumps.push_back({centre, m_shape.crownRadius * m_shape.clumpSize * size * m_random.range(0.85f, 1.15f),
+                               0.82f + 0.18f * unitOf(hash(std::uint32_t(m_shape.seed * 131 + tree.clumps.size())))});
     }
 
     // A clump where the crown's hull is farthest from those there are.
@@ -189,19 +191,24 @@ void addLeafCard(Mesh& mesh, int surface, const TreeShape& shape, const Clump& c
                     .bend = facing * (size * random.range(-0.10f, 0.10f)),
                     .mirrored = random.chance(0.5f)};
     std::array<io::Vertex, 4> corners = cornersOf(card);
-    const float tone = random.range(0.74f, 1.0f);
-    const glm::vec3 tint =
-        glm::vec3{0.94f + 0.06f * random.signedUnit(), 0.96f, 0.90f + 0.10f * random.signedUnit()} * tone;
+    // Young leaves are lighter and yellower, old ones darker and bluer; a clump keeps together.
+    const float age = random.unit();
+    const float tone = clump.tone * glm::mix(0.76f, 1.0f, age);
+    const glm::vec3 tint = glm::mix(glm::vec3{0.84f, 0.94f, 0.98f}, glm::vec3{1.0f, 0.98f, 0.80f}, age) * tone;
     for (io::Vertex& corner : corners) {
-        const glm::vec3 fromClump = glm::normalize(corner.position - clump.centre + glm::vec3{0, 1e-4f, 0});
+        const glm::vec3 inClump = (corner.position - clump.centre) / clump.radius;
+        const glm::vec3 fromClump = glm::normalize(inClump + glm::vec3{0, 1e-4f, 0});
         corner.normal =
-            glm::normalize(fromClump * 0.55f + crown.outward(corner.position) * 0.75f + glm::vec3{0, 0.12f, 0});
+            glm::normalize(fromClump * 0.70f + crown.outward(corner.position) * 0.75f + glm::vec3{0, 0.08f, 0});
         const float depth = crown.depth(corner.position);
         const float below = glm::smoothstep(-1.0f, 0.5f, (corner.position.y - crown.centre.y) / crown.radii.y);
-        const float inClump = glm::smoothstep(0.1f, 1.2f, glm::length(corner.position - clump.centre) / clump.radius);
-        corner.colour = shade(glm::mix(0.34f, 1.0f, glm::smoothstep(0.30f, 0.95f, depth)) *
-                                  glm::mix(0.70f, 1.0f, below) * glm::mix(0.72f, 1.0f, inClump),
-                              tint);
+        // Each clump shades itself: its top is in the light, its underside and its heart are not.
+        const float under = glm::smoothstep(-0.9f, 0.7f, inClump.y);
+        const float heart = glm::smoothstep(0.1f, 1.2f, glm::length(inClump));
+        corner.colour =
+            shade(glm::mix(0.32f, 1.0f, glm::smoothstep(0.30f, 0.95f, depth)) * glm::mix(0.72f, 1.0f, below) *
+                      glm::mix(0.56f, 1.0f, under) * glm::mix(0.76f, 1.0f, heart),
+                  tint);
     }
     mesh.addQuad(corners, surface);
 }

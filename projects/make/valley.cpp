@@ -7,15 +7,27 @@ namespace {
 
 std::vector<io::TerrainLayer> layers()
 {
-    return {{.name = "Meadow", .texture = "ground_grass", .metres = 3.2f},
+    return {{.name = "Meadow", .texture = "ground_grass", .colour = {1.06f, 1.04f, 0.92f}, .metres = 3.2f},
             {.name = "Dry meadow", // on the plain's low knolls
              .texture = "ground_dry",
-             .colour = {0.85f, 0.9f, 0.75f},
+             .colour = {0.92f, 0.98f, 0.78f},
              .metres = 3.4f,
              .slope = {0, 14},
-             .altitude = {34.6f, 46},
-             .blend = 0.05f},
-            {.name = "Forest floor", .texture = "ground_forest", .metres = 3.6f, .altitude = {52, 1e5f}, .blend = 0.5f},
+             .altitude = {34.2f, 46},
+             .blend = 0.10f},
+            {.name = "Forest floor",
+             .texture = "ground_forest",
+             .colour = {1.2f, 1.1f, 1.0f},
+             .metres = 3.6f,
+             .altitude = {38, 1e5f},
+             .blend = 0.22f},
+            {.name = "Mossy slope", // where the ground holds its damp
+             .texture = "ground_forest",
+             .colour = {0.98f, 1.18f, 0.78f},
+             .metres = 2.9f,
+             .slope = {13, 26},
+             .altitude = {40, 150},
+             .blend = 0.5f},
             {.name = "Dry grass", .texture = "ground_dry", .metres = 3.4f, .altitude = {165, 1e5f}, .blend = 0.9f},
             {.name = "Scree",
              .texture = "ground_scree",

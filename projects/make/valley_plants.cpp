@@ -10,7 +10,7 @@
 namespace make {
 namespace {
 
-constexpr int kTrees = 2600;
+constexpr int kTrees = 2930;
 
 float smooth(float low, float high, float x)
 {
@@ -26,7 +26,7 @@ float altitude(const Stage& stage, glm::vec2 p)
 float nearness(glm::vec2 p)
 {
     const float away = glm::length((p - glm::vec2{0, -70}) * glm::vec2{1.0f, 0.72f});
-    return glm::mix(0.045f, 1.0f, smooth(560, 200, away));
+    return glm::mix(0.065f, 1.0f, smooth(640, 230, away));
 }
 
 struct Kind {
@@ -52,7 +52,7 @@ Kind coniferOf(const Site& site, Random& random)
 Kind broadleafOf(const Site& site, Random& random)
 {
     const float age = site.age + 0.22f * random.bell();
-    const bool autumn = noise(site.at / 85.0f, 81) + 0.35f * random.bell() > 0.50f;
+    const bool autumn = noise(site.at / 85.0f, 81) + 0.35f * random.bell() > 0.36f;
     const bool edge = site.forest < 0.42f;
     const float kind = site.wet + 0.35f * random.bell();
     if ((edge && random.chance(0.55f)) || kind > 0.42f) {
@@ -91,7 +91,7 @@ void plantLandmarks(Stage& stage)
         {"oak_old", {-13, 13.5f}, 1.05f}, {"birch_autumn", {13.5f, -12}, 1.0f}, {"birch", {16.5f, -14.5f}, 0.9f},
         {"beech_autumn", {-27, 4}, 1.0f}, {"oak_autumn", {-20, -27}, 1.0f},     {"fir_old", {-29, -19}, 1.0f},
         {"fir", {-28, -12}, 1.1f},        {"birch_old", {-22, 22}, 1.0f},       {"oak_old", {150, 190}, 1.1f},
-        {"oak_old", {205, 330}, 1.15f},   {"oak_autumn", {118, 262}, 1.1f},     {"birch_autumn", {92, 60}, 1.05f},
+        {"oak_old", {205, 330}, 1.15f},   {"oak_autumn", {128, 206}, 1.1f},     {"birch_autumn", {92, 60}, 1.05f},
         {"birch", {96, 66}, 1.0f},        {"birch_old", {89, 68}, 0.95f}};
     Random random{901};
     for (const Landmark& mark : landmarks) {
@@ -136,7 +136,7 @@ void plantForest(Stage& stage)
         site.age = std::clamp(0.5f + 0.55f * noise(site.at / 65.0f, 84) + 0.30f * (site.forest - 0.5f), 0.0f, 1.0f);
         site.wet = noise(site.at / 130.0f, 85);
         const Kind kind = treeFor(site, random);
-        const float room = kind.room * glm::mix(1.0f, 0.72f, site.forest);
+        const float room = kind.room * glm::mix(0.95f, 0.57f, site.forest);
         if (!stage.isFree(site.at, room)) continue;
         stage.put({.what = kind.name, .at = site.at}, random);
         stage.take(site.at, room);
@@ -200,21 +200,34 @@ void plantUndergrowth(Stage& stage)
                smooth(18, 8, slopeAt(stage.heights(), p));
     };
 
+    const auto mantle = [&](glm::vec2 p) { // what crowds about the rim of a wood
+        return edge(p) * smooth(-0.25f, 0.25f, noise(p / 24.0f, 93));
+    };
+
+    scatter(stage, {"oak_young", 40, 1.4f, middle, 380, 926}, mantle);
+    scatter(stage, {"beech_young", 40, 1.4f, middle, 380, 927}, mantle);
+    scatter(stage, {"birch_young", 50, 1.4f, middle, 420, 928}, mantle);
+    scatter(stage, {"bush", 110, 0.9f, middle, 380, 929}, mantle);
+    scatter(stage, {"bush_low", 80, 0.8f, middle, 330, 930}, mantle);
     scatter(stage, {"bush", 70, 1.0f, kCamp + glm::vec2{60, 120}, 300, 924}, meadow);
     scatter(stage, {"bush_low", 60, 0.9f, kCamp + glm::vec2{60, 120}, 300, 925}, meadow);
     scatter(stage, {"dead_tree", 46, 2.0f, middle, 620, 911}, inside);
-    scatter(stage, {"dead_branch", 84, 0.9f, middle, 380, 912}, inside);
+    scatter(stage, {"dead_branch", 130, 0.9f, middle, 380, 912}, inside);
     scatter(stage, {"stump", 38, 0.9f, middle, 330, 913}, edge);
     scatter(stage, {"stump_broken", 34, 0.9f, middle, 420, 914}, inside);
     scatter(stage, {"bush", 100, 1.1f, middle, 420, 915}, edge);
     scatter(stage, {"bush_low", 70, 0.9f, middle, 330, 916}, edge);
-    scatter(stage, {"bush", 34, 1.2f, middle, 380, 917}, bank);
-    scatter(stage, {"fern", 110, 0.5f, middle, 240, 918}, inside);
+    scatter(stage, {"bush", 60, 1.0f, middle, 380, 917}, bank);
+    scatter(stage, {"fern", 170, 0.5f, middle, 260, 918}, inside);
     scatter(stage, {"grass_dry", 120, 0.45f, middle, 190, 919}, bank);
     scatter(stage, {"grass", 330, 0.32f, kCamp, 30, 920}, open);
     scatter(stage, {"grass_dry", 46, 0.4f, kCamp, 40, 921}, open);
     scatter(stage, {"flowers", 90, 0.35f, kCamp + glm::vec2{4, 0}, 34, 922}, open);
     scatter(stage, {"grass", 70, 0.4f, middle, 200, 923}, open);
+    const glm::vec2 byTheWood = kCamp + glm::vec2{-26, 74};
+    scatter(stage, {"grass", 60, 0.4f, byTheWood, 42, 943}, open);
+    scatter(stage, {"grass_dry", 36, 0.4f, byTheWood, 48, 944}, open);
+    scatter(stage, {"flowers", 20, 0.4f, byTheWood, 36, 945}, open);
 }
 
 namespace {
@@ -253,7 +266,12 @@ void layRocks(Stage& stage)
     scatter(stage, {"boulder", 13, 2.6f, middle, 420, 937}, bed);
     scatter(stage, {"rock", 46, 1.3f, middle, 330, 938}, bed);
     scatter(stage, {"rock_small", 150, 0.45f, kCamp, 210, 939}, bed);
+    const auto bank = [&](glm::vec2 p) {
+        return smooth(29.0f, 29.6f, altitude(stage, p)) * smooth(20, 10, streamDistance(p));
+    };
     scatter(stage, {"rock_mossy", 16, 1.6f, middle, 260, 940}, meadow);
+    scatter(stage, {"rock_mossy", 24, 1.3f, middle, 330, 941}, bank);
+    scatter(stage, {"rock_small", 70, 0.5f, middle, 260, 942}, bank);
 }
 
 } // namespace make

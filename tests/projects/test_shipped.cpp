@@ -49,6 +49,16 @@ TEST_P(EveryWorld, NamesEveryTemplateOfItsObjects)
         }
 }
 
+TEST(Shipped, AllWorldsTogetherStayUnderFortyMegabytes)
+{
+    std::uintmax_t bytes = 0;
+    for (const char* name : {"valley", "forest-1", "forest-2", "forest-3", "empty"})
+        for (const auto& entry :
+             std::filesystem::recursive_directory_iterator{std::filesystem::path{WOLD_SOURCE_DIR} / "projects" / name})
+            bytes += entry.is_regular_file() ? entry.file_size() : 0;
+    EXPECT_LT(bytes, 40000000u);
+}
+
 INSTANTIATE_TEST_SUITE_P(Shipped, EveryWorld, testing::Values("valley", "forest-1", "forest-2", "forest-3", "empty"),
                          [](const auto& world) {
                              std::string name = world.param;

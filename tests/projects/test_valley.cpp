@@ -40,10 +40,10 @@ TEST(Valley, HasModelsOfEveryKindItPromises)
     }
 }
 
-TEST(Valley, HoldsSomeFourThousandObjects)
+TEST(Valley, HoldsSomeFiveThousandObjects)
 {
-    EXPECT_GT(valley().scene().objects().size(), 3800u);
-    EXPECT_LT(valley().scene().objects().size(), 4800u);
+    EXPECT_GT(valley().scene().objects().size(), 4800u);
+    EXPECT_LT(valley().scene().objects().size(), 5600u);
 }
 
 TEST(Valley, EverythingStandsOnTheGround)
