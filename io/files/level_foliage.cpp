@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <meshoptimizer.h>
 #include <numeric>
 
 namespace io::levels {
@@ -9,9 +10,11 @@ namespace {
 
 constexpr std::uint32_t kFewestCards = 12;   // fewer are no foliage
 constexpr float kTrianglesOfCard = 16;       // more in the mean are no cards
-// Lengths grow by the kept share to this power. One half would keep the cards' area; a little less, as grown cards
-// also reach out of the crown's outline.
-constexpr float kGrowth = 0.45f;
+constexpr float kGrowth = 0.5f;              // lengths grow by the kept share to this power: the cards' area stays
+constexpr float kStraightened = 0.02f;       // of the crown's size; so far a simpler card may stray
+constexpr std::size_t kSpreadCards = 4000;    // the way that spreads best takes the square of the cards
+constexpr float kPulled = 0.75f;             // of what a card at the outline grew outwards, it moves inwards
+constexpr float kWorthwhile = 0.8f;          // simpler cards have at most this share of the triangles
 constexpr float kLargestCard = 0.5f;         // radius of a grown card, as a share of the crown's middle extent
 constexpr float kOverhang = 0.03f;           // of the crown's size; so far a grown card may leave its box
 // A card's outline moves by (growth - 1) radii; but one outline among many that cross each other, inside a crown whose
@@ -66,6 +69,43 @@ float growthFor(float share)
     return std::pow(share, -kGrowth);
 }
 
+// The card as two triangles, or as few as it lets.
+std::vector<Corners> straightened(const Model& model, const std::vector<Corners>& card)
+{
+    if (card.size() <= 2) return card;
+    std::vector<std::uint32_t> indices, vertexOf;
+    std::vector<glm::vec3> positions;
+    for (const Corners& corners : card)
+        for (const std::uint32_t vertex : corners.vertex) {
+            const auto known = std::find(vertexOf.begin(), vertexOf.end(), vertex);
+            indices.push_back(std::uint32_t(known - vertexOf.begin()));
+            if (known != vertexOf.end()) continue;
+            vertexOf.push_back(vertex);
+            positions.push_back(model.vertices[vertex].position);
+        }
+    std::vector<std::uint32_t> made(indices.size());
+    const std::size_t count = meshopt_simplify(made.data(), indices.data(), indices.size(), &positions[0].x,
+                                               positions.size(), sizeof(glm::vec3), 6, 1.0f, 0, nullptr);
+    std::vector<Corners> result;
+    for (std::size_t i = 0; i + 2 < count; i += 3)
+        result.push_back({{vertexOf[made[i]], vertexOf[made[i + 1]], vertexOf[made[i + 2]]}, card[0].part});
+    return result;
+}
+
+// The farthest that a corner of the full card lies from the simple one, in m.
+float strayed(const Model& model, const std::vector<Corners>& full, const std::vector<Corners>& simple)
+{
+    float farthest = 0;
+    for (const Corners& corners : full)
+        for (const glm::vec3& corner : positionsOf(model, corners)) {
+            float nearest = std::numeric_limits<float>::max();
+            for (const Corners& own : simple)
+                nearest = std::min(nearest, squaredDistance(positionsOf(model, own), corner));
+            farthest = std::max(farthest, nearest);
+        }
+    return std::sqrt(farthest);
+}
+
 } // namespace
 
 Foliage::Foliage(const Model& model, std::span<const std::uint32_t> places)
@@ -79,6 +119,7 @@ Foliage::Foliage(const Model& model, std::span<const std::uint32_t> places)
         m_cardRadius += card.area * card.radius;
     }
     m_cardRadius /= m_area;
+    simplifyCards(model);
 }
 
 bool Foliage::holds(std::uint32_t part) const
@@ -93,30 +134,72 @@ void Foliage::takePart(const Model& model, std::uint32_t part, std::span<const s
     const std::uint32_t cards = component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1;
     if (cards < kFewestCards || float(triangles.size()) > kTrianglesOfCard * float(cards)) return;
 
-    std::vector<std::vector<Corners>> sorted(cards);
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-        sorted[component[i]].push_back(triangles[i]);
     m_parts.push_back(part);
-    for (const std::vector<Corners>& one : sorted) {
-        Card card{.first = std::uint32_t(m_triangles.size()), .count = std::uint32_t(one.size())};
+    const std::size_t before = m_cards.size();
+    m_cards.resize(before + cards);
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        m_cards[before + component[i]].full.push_back(triangles[i]);
+    for (Card& card : std::span{m_cards}.subspan(before)) {
         Box box;
-        for (const Corners& corners : one) {
+        for (const Corners& corners : card.full) {
             const SurfaceDistance::Triangle t = positionsOf(model, corners);
             card.area += areaOf(t);
             for (const glm::vec3& corner : t)
                 box.add(corner);
         }
-        card.centre = (box.min + box.max) * 0.5f;
-        card.radius = glm::length(box.max - box.min) / 2;
-        m_crown.add(box.min);
-        m_crown.add(box.max);
-        m_triangles.insert(m_triangles.end(), one.begin(), one.end());
-        m_cards.push_back(card);
+        card.centre = box.centre();
+        card.radius = glm::length(box.size()) / 2;
+        m_crown.add(box);
+    }
+    m_full += triangles.size();
+}
+
+void Foliage::simplifyCards(const Model& model)
+{
+    const glm::vec3 size = m_crown.size();
+    const float farthest = kStraightened * std::max({size.x, size.y, size.z});
+    for (Card& card : m_cards) {
+        card.simple = straightened(model, card.full);
+        const float error = card.simple.empty() ? farthest * 2 : strayed(model, card.full, card.simple);
+        if (error > farthest)
+            card.simple = card.full;
+        else
+            m_simpleError = std::max(m_simpleError, error);
+        m_simple += card.simple.size();
+    }
+}
+
+void Foliage::rankCards()
+{
+    if (m_cards.size() <= kSpreadCards)
+        spreadCards();
+    else
+        sortCards();
+}
+
+// Each next one is the farthest from those before (farthest point sampling, Gonzalez 1985), which begins at the crown's
+// tips: its outline stays.
+void Foliage::spreadCards()
+{
+    std::vector<float> distance(m_cards.size(), std::numeric_limits<float>::max());
+    std::vector<bool> taken(m_cards.size());
+    glm::vec3 last = m_crown.centre();
+    for (std::uint32_t rank = 0; rank < m_cards.size(); ++rank) {
+        std::size_t farthest = m_cards.size();
+        for (std::size_t i = 0; i < m_cards.size(); ++i) {
+            if (taken[i]) continue;
+            const glm::vec3 way = m_cards[i].centre - last;
+            distance[i] = rank == 1 ? glm::dot(way, way) : std::min(distance[i], glm::dot(way, way));
+            if (farthest == m_cards.size() || distance[i] > distance[farthest]) farthest = i;
+        }
+        taken[farthest] = true;
+        m_cards[farthest].rank = rank;
+        last = m_cards[farthest].centre;
     }
 }
 
 // Along a curve that fills the crown, taken in bit-reversed order: every first so many of the ranks lie evenly in it.
-void Foliage::rankCards()
+void Foliage::sortCards()
 {
     std::vector<std::uint32_t> along(m_cards.size());
     std::iota(along.begin(), along.end(), 0u);
@@ -136,57 +219,69 @@ Piece Foliage::thinned(Model& model, float share) const
 {
     Piece piece;
     if (m_cards.empty()) return piece;
-    const glm::vec3 size = m_crown.max - m_crown.min;
+    const glm::vec3 size = m_crown.size();
     const float middle = std::max(std::min(size.x, size.y), std::min(std::max(size.x, size.y), size.z));
     const float most = std::max(1.0f, kLargestCard * middle / std::max(m_cardRadius, 1e-9f));
-    share = std::max(share, std::pow(most, -1 / kGrowth));
+    const bool simple = float(m_simple) <= kWorthwhile * float(m_full);
+    const float all = float(simple ? m_simple : m_full);
+    const float triangles = std::max(share * float(m_full), all * std::pow(most, -1 / kGrowth));
 
     std::vector<const Card*> byRank(m_cards.size());
     for (const Card& card : m_cards)
         byRank[card.rank] = &card;
-    std::size_t triangles = 0, kept = 0;
+    std::size_t count = 0, kept = 0;
     float area = 0;
-    while (kept < byRank.size() && float(triangles) < share * float(m_triangles.size())) {
-        triangles += byRank[kept]->count;
+    while (kept < byRank.size() && float(count) < triangles) {
+        count += simple ? byRank[kept]->simple.size() : byRank[kept]->full.size();
         area += byRank[kept]->area;
         ++kept;
     }
-    const float grown = growthFor(area / m_area);
-    const glm::vec3 over = size * kOverhang;
-    std::vector<std::uint32_t> fresh; // of one card: vertex of the model, its grown twin beside it
-    for (const Card& card : m_cards) {
-        if (card.rank >= kept) continue;
-        glm::vec3 low{std::numeric_limits<float>::max()}, high{std::numeric_limits<float>::lowest()};
-        const auto place = [&](std::uint32_t vertex) {
-            return card.centre + (model.vertices[vertex].position - card.centre) * grown;
-        };
-        const std::span<const Corners> own{m_triangles.data() + card.first, card.count};
-        for (const Corners& corners : own)
-            for (const std::uint32_t vertex : corners.vertex) {
-                low = glm::min(low, place(vertex));
-                high = glm::max(high, place(vertex));
-            }
-        const glm::vec3 shift = pushInside(low, high, m_crown.min - over, m_crown.max + over);
-        fresh.clear();
-        for (const Corners& corners : own) {
-            Corners made = corners;
-            for (std::uint32_t& vertex : made.vertex) {
-                std::size_t known = 0;
-                while (known < fresh.size() && fresh[known] != vertex)
-                    known += 2;
-                if (known == fresh.size()) {
-                    fresh.insert(fresh.end(), {vertex, std::uint32_t(model.vertices.size())});
-                    Vertex twin = model.vertices[vertex];
-                    twin.position = place(vertex) + shift;
-                    model.vertices.push_back(twin);
-                }
-                vertex = fresh[known + 1];
-            }
-            piece.triangles.push_back(made);
-        }
-    }
-    piece.error = kVisible * (grown - 1) * m_cardRadius;
+    const float grown = kept == byRank.size() ? 1.0f : growthFor(area / m_area);
+    for (const Card& card : m_cards)
+        if (card.rank < kept) grow(model, card, simple ? card.simple : card.full, grown, piece);
+    piece.error = kVisible * (grown - 1) * m_cardRadius + (simple ? m_simpleError : 0);
     return piece;
+}
+
+// About its centre, but near the crown's outline inwards from its outer end, so that the outline stays.
+void Foliage::grow(Model& model, const Card& card, std::span<const Corners> triangles, float grown, Piece& piece) const
+{
+    if (grown == 1) {
+        piece.triangles.insert(piece.triangles.end(), triangles.begin(), triangles.end());
+        return;
+    }
+    const glm::vec3 out = (card.centre - m_crown.centre()) / glm::max(m_crown.size() * 0.5f, glm::vec3{1e-9f});
+    const float outward = std::min(glm::length(out), 1.0f); // 0 in the middle of the crown, 1 at its outline
+    const glm::vec3 from = card.centre - m_crown.centre();
+    const glm::vec3 direction = from / std::max(glm::length(from), 1e-9f);
+    glm::vec3 low{std::numeric_limits<float>::max()}, high{std::numeric_limits<float>::lowest()};
+    float reach = 0; // m, of the card outwards from its centre
+    for (const Corners& corners : card.full)
+        for (const std::uint32_t vertex : corners.vertex) {
+            const glm::vec3 arm = model.vertices[vertex].position - card.centre;
+            reach = std::max(reach, glm::dot(arm, direction));
+            low = glm::min(low, arm * grown);
+            high = glm::max(high, arm * grown);
+        }
+    const glm::vec3 over = m_crown.size() * kOverhang;
+    glm::vec3 centre = card.centre - direction * (reach * (grown - 1) * outward * kPulled);
+    centre += pushInside(centre + low, centre + high, m_crown.min - over, m_crown.max + over);
+
+    std::vector<std::array<std::uint32_t, 2>> twins; // vertex of the model, its grown twin
+    for (Corners corners : triangles) {
+        for (std::uint32_t& vertex : corners.vertex) {
+            auto known = std::find_if(twins.begin(), twins.end(), [&](const auto& twin) { return twin[0] == vertex; });
+            if (known == twins.end()) {
+                twins.push_back({vertex, std::uint32_t(model.vertices.size())});
+                known = twins.end() - 1;
+                Vertex twin = model.vertices[vertex];
+                twin.position = centre + (twin.position - card.centre) * grown;
+                model.vertices.push_back(twin);
+            }
+            vertex = (*known)[1];
+        }
+        piece.triangles.push_back(corners);
+    }
 }
 
 } // namespace io::levels

@@ -11,7 +11,7 @@ public:
     // Takes those parts of the model that are made of cards; `places` as of placesOf.
     Foliage(const Model& model, std::span<const std::uint32_t> places);
     bool holds(std::uint32_t part) const;
-    std::size_t triangles() const { return m_triangles.size(); }
+    std::size_t triangles() const { return m_full; }
     const Box& crown() const { return m_crown; } // empty when there is none
 
     // About `share` of the triangles. Grown cards get vertices of their own at the end of model.vertices.
@@ -20,8 +20,8 @@ public:
 
 private:
     struct Card {
-        std::uint32_t first = 0; // of m_triangles
-        std::uint32_t count = 0;
+        std::vector<Corners> full;
+        std::vector<Corners> simple; // bends straightened
         glm::vec3 centre{0};     // of its box
         float area = 0;          // m²
         float radius = 0;        // m, to its farthest corner
@@ -29,9 +29,15 @@ private:
     };
     void takePart(const Model& model, std::uint32_t part, std::span<const std::uint32_t> places);
     void rankCards();
+    void spreadCards();
+    void sortCards();
+    void simplifyCards(const Model& model);
+    void grow(Model& model, const Card& card, std::span<const Corners> triangles, float grown, Piece& piece) const;
 
     std::vector<std::uint32_t> m_parts;
-    std::vector<Corners> m_triangles; // by card
+    std::size_t m_full = 0;   // triangles
+    std::size_t m_simple = 0;
+    float m_simpleError = 0;  // m
     std::vector<Card> m_cards;
     Box m_crown;
     float m_area = 0;      // m², of all cards

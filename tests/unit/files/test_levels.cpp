@@ -271,7 +271,9 @@ TEST(Levels, cardsThinEvenlyAndStayInTheCrown)
                 ++octants[std::size_t(high.x + 2 * high.y + 4 * high.z)];
             }
             const auto [fewest, most] = std::minmax_element(octants.begin(), octants.end());
-            EXPECT_LE(*most, *fewest * 3 + 4) << level.indices.size() / 3;
+            const std::size_t cards = level.indices.size() / 6;
+            EXPECT_LE(*most, cards >= 40 ? *fewest * 3 : int(cards)) << cards;
+            EXPECT_GE(*fewest, cards >= 20 ? 1 : 0) << cards;
         }
     }
 }
