@@ -52,14 +52,15 @@ Error fault(const std::filesystem::path& file, std::string_view doing)
 
 Status writeAndSync(const std::filesystem::path& file, std::string_view bytes, const std::filesystem::path& like)
 {
+    const std::filesystem::path& named = like.empty() ? file : like; // a person knows no temporary
     Descriptor out{::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666)};
-    if (out.get() < 0) return fault(file, "cannot be made");
+    if (out.get() < 0) return fault(named, "cannot be written");
     struct stat old = {};
     if (::stat(like.c_str(), &old) == 0 && ::fchmod(out.get(), old.st_mode & 07777) != 0)
-        return fault(file, "cannot take its permissions");
-    if (!writeAll(out.get(), bytes)) return fault(file, "cannot be written");
-    if (!sync(out.get())) return fault(file, "cannot be flushed to the disk");
-    if (::close(out.release()) != 0) return fault(file, "cannot be closed");
+        return fault(named, "cannot take its permissions");
+    if (!writeAll(out.get(), bytes)) return fault(named, "cannot be written");
+    if (!sync(out.get())) return fault(named, "cannot be flushed to the disk");
+    if (::close(out.release()) != 0) return fault(named, "cannot be closed");
     return {};
 }
 

@@ -97,6 +97,8 @@ TEST_F(Faults, outputThatCannotBeWrittenIsNamed)
 {
     expectFault(wold({"render", project, "--size", "32x18", "--out", folder.write("file", "") + "/a.png"}), "file");
     expectFault(wold({"info", project, "--json", folder.write("file", "") + "/a.json"}), "file");
+    // By the name that was given, not by that of a temporary beside it.
+    expectFault(wold({"info", project, "--json", "/proc/a.json"}), "/proc/a.json: ");
 }
 
 TEST_F(Faults, aPictureOfOnePixel)
