@@ -82,6 +82,9 @@ void ImguiHost::keepShortTaps()
     glfwSetKeyCallback(m_window->handle(), [](GLFWwindow*, int key, int scancode, int action, int mods) {
         if (g_host) g_host->onKey(key, scancode, action, mods);
     });
+    glfwSetCursorPosCallback(m_window->handle(), [](GLFWwindow*, double x, double y) {
+        if (g_host) g_host->m_pointer = {x, y};
+    });
     glfwSetMouseButtonCallback(m_window->handle(), [](GLFWwindow*, int button, int action, int mods) {
         if (g_host) g_host->onButton(button, action, mods);
     });
@@ -96,10 +99,9 @@ void ImguiHost::onKey(int key, int scancode, int action, int mods)
 
 void ImguiHost::onButton(int button, int action, int mods)
 {
-    glm::dvec2 at;
-    glfwGetCursorPos(m_window->handle(), &at.x, &at.y);
-    if (action == GLFW_PRESS) m_pressedAt = at, m_releasedAt.reset();
-    if (action == GLFW_RELEASE) m_releasedAt = at;
+    // By the events so far: glfwGetCursorPos would ask where the pointer is by now.
+    if (action == GLFW_PRESS) m_pressedAt = m_pointer, m_releasedAt.reset();
+    if (action == GLFW_RELEASE) m_releasedAt = m_pointer;
     ImGui_ImplGlfw_MouseButtonCallback(m_window->handle(), button, action, mods);
 }
 

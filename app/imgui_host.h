@@ -35,6 +35,7 @@ private:
     float m_scale = 0;
     bool m_pressed = false;          // a key, since the last frame
     std::vector<Release> m_releases; // that wait for the next frame
+    std::optional<glm::vec2> m_pointer;                 // as its last event said
     std::optional<glm::vec2> m_pressedAt, m_releasedAt; // the pointer, where a button did so since the last frame
 };
 
