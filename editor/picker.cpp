@@ -4,6 +4,7 @@
 #include "editor/terrain_ray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace editor {
@@ -30,6 +31,12 @@ void Picker::update(const io::Scene& scene, const io::Assets& assets, const io::
         m_state->heights = assets.heights;
         m_state->ground.reset();
     }
+}
+
+void Picker::prepare()
+{
+    m_state->objects.prepare();
+    if (m_state->heights) m_state->terrain();
 }
 
 void Picker::setBoxesOnly(bool boxesOnly)
@@ -105,6 +112,28 @@ std::vector<PickHit> Picker::pickAll(const io::Ray& ray, std::size_t max, const 
     return hits;
 }
 
+namespace {
+
+// The four sides of what is seen in a rectangle of the picture, a little wider; inside is where dot(n, p) + d >= 0.
+std::array<glm::dvec4, 4> sidesOf(const View& view, glm::dvec2 low, glm::dvec2 high)
+{
+    low -= 0.01;
+    high += 0.01;
+    const glm::dvec3 eye = view.camera.eye;
+    const glm::dvec3 inwards = rayThrough(view, (low + high) * 0.5).direction;
+    const std::array<glm::dvec2, 4> corners{low, {high.x, low.y}, high, {low.x, high.y}};
+    std::array<glm::dvec4, 4> sides;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const glm::dvec3 along = rayThrough(view, corners[i]).direction,
+                         next = rayThrough(view, corners[(i + 1) % 4]).direction;
+        const glm::dvec3 n = glm::cross(along, next);
+        sides[i] = glm::dvec4{n, -glm::dot(n, eye)} * (glm::dot(n, inwards) < 0 ? -1.0 : 1.0);
+    }
+    return sides;
+}
+
+} // namespace
+
 std::vector<io::ObjectId> Picker::pickBox(const View& view, const PixelRect& rect,
                                           std::optional<std::span<const std::uint32_t>> seen) const
 {
@@ -114,7 +143,7 @@ std::vector<io::ObjectId> Picker::pickBox(const View& view, const PixelRect& rec
             if (m_state->objects.holds(io::ObjectId{number})) ids.push_back(io::ObjectId{number});
     } else {
         const glm::dvec2 low = glm::min(rect.from, rect.to), high = glm::max(rect.from, rect.to);
-        m_state->objects.forEachBounds([&](io::ObjectId id, const io::WorldBox& box) {
+        m_state->objects.forEachInside(sidesOf(view, low, high), [&](io::ObjectId id, const io::WorldBox& box) {
             const auto pixel = project(view, box.centre());
             if (pixel && pixel->x >= low.x && pixel->y >= low.y && pixel->x <= high.x && pixel->y <= high.y)
                 ids.push_back(id);

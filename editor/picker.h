@@ -49,8 +49,10 @@ public:
     Picker(const Picker&) = delete;
     Picker& operator=(const Picker&) = delete;
 
-    // Costs what `changes` names; the spatial index over all objects is made new at the next ray.
+    // Costs what `changes` names. The index over objects is renewed by the rays that come, as far as they reach.
     void update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes);
+
+    void prepare(); // renews all of the index at once
 
     void setBoxesOnly(bool boxesOnly); // every object by the box around it
     bool boxesOnly() const;
