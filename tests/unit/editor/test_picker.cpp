@@ -4,6 +4,7 @@
 #include "editor/arrange.h"
 #include "editor/picker.h"
 
+#include <algorithm>
 #include <ctime>
 #include <gtest/gtest.h>
 
@@ -59,6 +60,14 @@ io::Ray randomRay(Random& random)
     return {.origin = from, .direction = glm::normalize(to - from)};
 }
 
+// By the sphere around its box; most objects are far from a ray.
+bool near(const io::WorldBox& box, const io::Ray& ray)
+{
+    const glm::dvec3 away = box.centre() - ray.origin;
+    const double along = std::max(0.0, glm::dot(away, ray.direction));
+    return glm::distance(away, ray.direction * along) <= glm::length(box.size()) / 2 + 1e-3;
+}
+
 void compareWithBruteForce(const Document& document, const Picker& picker, int rays, std::uint64_t seed)
 {
     Random random{seed};
@@ -67,7 +76,8 @@ void compareWithBruteForce(const Document& document, const Picker& picker, int r
         const io::Ray ray = randomRay(random);
         Expected expected;
         for (const io::Object& object : document.scene().objects())
-            if (const io::Model* model = document.assets().model(object.templateId))
+            if (const io::Model* model = document.assets().model(object.templateId);
+                model && near(io::worldBounds(document.assets(), object), ray))
                 bruteForce(object, *model, ray, expected);
         if (expected.doubtful) {
             ++doubtful;
@@ -129,6 +139,92 @@ TEST(Picker, FollowsMovesDeletesUndoAndNewTemplates)
     }
     document->goTo(0);
     compareWithBruteForce(*document, test::followed(picker, *document), 150, 99);
+}
+
+namespace {
+
+// Some of what a person does, to one or to very many.
+void editAtRandom(Document& document, Random& random)
+{
+    const auto objects = document.scene().objects();
+    const auto any = [&] { return objects[std::size_t(random.unit() * double(objects.size()))].id; };
+    const std::vector one{any()};
+    std::vector<io::ObjectId> many;
+    for (int i = 0; i < 400; ++i)
+        many.push_back(any());
+    std::ranges::sort(many);
+    many.erase(std::unique(many.begin(), many.end()), many.end());
+    switch (random.bits() % 40) {
+    case 0:
+        return removeObjects(document, "Delete", many);
+    case 1:
+        return moveBy(document, "Move", many, {random.in(-90, 90), 0, random.in(-90, 90)});
+    case 2:
+        return void(duplicate(document, many, {random.in(-9, 9), 0, random.in(-9, 9)}));
+    case 3:
+    case 4:
+    case 5:
+        return void(document.undo());
+    case 6:
+    case 7:
+        return removeObjects(document, "Delete", one);
+    case 8:
+        return edit(document, "Assign", one,
+                    [&](io::Object& o) { o.templateId = io::TemplateId(1 + random.bits() % 4); });
+    default:
+        return moveBy(document, "Move", one, {random.in(-30, 30), 1, random.in(-30, 30)});
+    }
+}
+
+} // namespace
+
+// Enough objects for many tiles, enough edits that the tiles are filled, thinned out and joined.
+TEST(Picker, ItsTilesSayTheSameAfterHundredsOfEdits)
+{
+    const auto document = test::forest(6000, 12, false);
+    Picker picker;
+    document->takeChanges();
+    picker.update(document->scene(), document->assets(), {.everything = true});
+    compareWithBruteForce(*document, picker, 2000, 13);
+    Random random{14};
+    for (int i = 1; i <= 500; ++i) {
+        editAtRandom(*document, random);
+        test::followed(picker, *document);
+        if (i % 7 == 0) picker.pick(randomRay(random));
+        if (i == 200) picker.prepare();
+        if (i % 100 == 0) compareWithBruteForce(*document, picker, 100, std::uint64_t(i));
+    }
+    compareWithBruteForce(*document, picker, 2000, 15);
+    document->goTo(0);
+    compareWithBruteForce(*document, test::followed(picker, *document), 500, 16);
+}
+
+// Also what no ray has met yet, what lies behind the eye, and rectangles that lie outside of the picture in part.
+TEST(Picker, TheBoxTakesWhatLookingAtEachSays)
+{
+    const auto document = test::forest(4000, 17, false);
+    Picker picker;
+    document->takeChanges();
+    picker.update(document->scene(), document->assets(), {.everything = true});
+    Random random{18};
+    for (int i = 0; i < 60; ++i) {
+        if (i % 3 == 0) editAtRandom(*document, random);
+        test::followed(picker, *document);
+        const View view{.camera = {.eye = {random.in(-200, 200), random.in(1, 90), random.in(-200, 200)},
+                                   .yaw = float(random.in(-180, 180)),
+                                   .pitch = float(random.in(-80, 30))},
+                        .size = {640, 360}};
+        const glm::dvec2 a{random.in(-50, 690), random.in(-50, 400)}, b{random.in(-50, 690), random.in(-50, 400)};
+        std::vector<io::ObjectId> expected;
+        for (const io::ObjectId id : document->scene().sortedIds()) {
+            const auto pixel = project(view, picker.bounds(id).centre());
+            if (!pixel || picker.bounds(id).empty()) continue;
+            const glm::dvec2 low = glm::min(a, b), high = glm::max(a, b);
+            if (pixel->x >= low.x && pixel->y >= low.y && pixel->x <= high.x && pixel->y <= high.y)
+                expected.push_back(id);
+        }
+        EXPECT_EQ(picker.pickBox(view, {a, b}), expected);
+    }
 }
 
 TEST(Picker, ALeafIsHitWhereItIsSeenOnly)
@@ -194,7 +290,7 @@ TEST(AlphaMips, DoNotThinOut)
         int passing = 0;
         for (int i = 0; i < 5000; ++i)
             passing += mips.sample({.image = 0}, {float(random.unit()), float(random.unit())}, lod) >= 0.5f;
-        EXPECT_GE(passing, 750) << lod; // never thinner
+        EXPECT_GE(passing, 750) << lod;                    // never thinner
         EXPECT_LE(passing, lod <= 2 ? 1250 : 2500) << lod; // beyond, a texel mixes spots and many share one alpha
     }
     EXPECT_GE(mips.sample({.image = 0}, {0.5f, 0.5f}, 1e9f), 0);
