@@ -127,7 +127,7 @@ std::vector<PartInBatch> opaqueParts(const ModelLibrary& models, const Binned& b
     }
     // What has no holes first: it hides most and costs least.
     std::ranges::stable_sort(parts, {}, [&](const PartInBatch& p) {
-        const bool masked = models.batches()[std::size_t(p.batch)].features & kFeatureMask;
+        const bool masked = models.batches()[std::size_t(p.batch)].features & (kFeatureMask | kFeatureImpostor);
         return std::tuple{masked, models.bins()[p.bin].fading, p.batch, models.bins()[p.bin].mirrored};
     });
     return parts;

@@ -22,6 +22,7 @@ Picture Renderer::State::render(const FrameInput& in)
     canvas.resize("picture", viewpoint.eye.size);
     scenery.world.select(in.selection);
     scenery.world.upload();
+    impostors.render(gpu, scenery.world.models(), scenery.world.impostors());
     gpu.constants(VIEW_BINDING, viewpoint.view);
     gpu.constants(LIGHT_BINDING, viewpoint.light);
 

@@ -32,6 +32,7 @@ glsl::CullModel cullModelOf(const ModelEntry& entry)
         model.errors[i / 4][i % 4] = entry.levels[std::size_t(i)].error;
     model.firstBin = entry.firstBin;
     model.whole = entry.blended;
+    model.impostor = entry.impostor;
     return model;
 }
 
@@ -73,6 +74,7 @@ ModelLibrary::ModelLibrary()
 void ModelLibrary::clear()
 {
     m_textures.clear();
+    m_impostors.clear();
     m_entries.clear();
     m_models.clear();
     m_known.clear();
@@ -207,9 +209,33 @@ void ModelLibrary::addLevels(const io::Model& model, ModelEntry& entry)
     }
 }
 
-int ModelLibrary::add(const std::shared_ptr<const io::Model>& model)
+// The last level of all: a quad, in place of meshes that stray farther. What blends has none, as pictures cannot.
+void ModelLibrary::addImpostor(const io::Model& model, ModelEntry& entry)
 {
-    if (const auto known = m_known.find(model.get()); known != m_known.end()) return known->second;
+    if (entry.blended || entry.levels[0].parts.empty() || !(entry.radius > 0) || m_impostors.full()) return;
+    while (entry.levels.back().error * kStep > kImpostorError || entry.levels.size() == MOST_LEVELS)
+        entry.levels.pop_back();
+    ImpostorShape shape{.centre = entry.centre,
+                        .radius = entry.radius,
+                        .extent = entry.bounds.size() / 2.0f,
+                        .layer = m_impostors.add(size())};
+    measureRoughness(model, shape);
+    const auto firstVertex = std::uint32_t(m_vertexCount + m_newVertices.size());
+    const ModelPart quad{.firstIndex = std::uint32_t(m_indexCount + m_newIndices.size()),
+                         .indexCount = 6,
+                         .batch = batchOf({.twoSided = true, .features = kFeatureImpostor})};
+    for (const PackedVertex& vertex : impostorQuad(shape))
+        m_newVertices.push_back(vertex);
+    for (const std::uint32_t corner : {0u, 1u, 3u, 0u, 3u, 2u})
+        m_newIndices.push_back(firstVertex + corner);
+    entry.levels.push_back({.error = kImpostorError, .parts = {quad}});
+    entry.impostor = true;
+}
+
+int ModelLibrary::add(const std::shared_ptr<const io::Model>& model, bool impostor)
+{
+    const std::pair key{model.get(), impostor};
+    if (const auto known = m_known.find(key); known != m_known.end()) return known->second;
     ModelEntry entry;
     entry.bounds = model->bounds;
     for (const io::Level& level : model->levels) // cards that grew may reach a little further
@@ -220,6 +246,7 @@ int ModelLibrary::add(const std::shared_ptr<const io::Model>& model)
         entry.radius = glm::length(entry.bounds.size()) / 2;
     }
     addLevels(*model, entry);
+    if (impostor) addImpostor(*model, entry);
     entry.firstBin = std::uint32_t(m_bins.size());
     for (int level = 0; level < int(entry.levels.size()); ++level)
         for (const bool mirrored : {false, true})
@@ -228,7 +255,7 @@ int ModelLibrary::add(const std::shared_ptr<const io::Model>& model)
     m_cullModels.push_back(cullModelOf(entry));
     m_entries.push_back(std::move(entry));
     m_models.push_back(model);
-    m_known.emplace(model.get(), size() - 1);
+    m_known.emplace(key, size() - 1);
     return size() - 1;
 }
 

@@ -4,6 +4,7 @@
 
 #include "io/scene/model.h"
 #include "renderer/gl/buffer.h"
+#include "renderer/impostors.h"
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/shaders/shared/culling.h"
 #include "renderer/shaders/shared/material.h"
@@ -11,9 +12,9 @@
 #include "renderer/vertex_format.h"
 
 #include <array>
+#include <map>
 #include <memory>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 namespace renderer {
@@ -24,6 +25,7 @@ enum Feature : unsigned {
     kFeatureNormalMap = 2,
     kFeatureSurfaceMaps = 4, // roughness, metallic, occlusion or emission from textures, or emission at all
     kFeatureWrap = 8,       // a texture that does not repeat
+    kFeatureImpostor = 16,  // a quad with pictures of the model, drawn by programs of its own
 };
 std::vector<std::string> definesOf(unsigned features);
 
@@ -48,6 +50,7 @@ struct ModelLevel {
 
 struct ModelEntry {
     std::vector<ModelLevel> levels; // the full model first, at most MOST_LEVELS
+    bool impostor = false;  // the last level is one
     io::Box bounds;         // m, model space, of all levels
     glm::vec3 centre{0};    // of the sphere around the bounds
     float radius = 0;
@@ -69,13 +72,16 @@ class ModelLibrary {
 public:
     ModelLibrary();
 
-    int add(const std::shared_ptr<const io::Model>& model); // the same model gives the same number
+    // The same model gives the same number. `impostor`: it may be drawn as a picture of itself where it is small.
+    int add(const std::shared_ptr<const io::Model>& model, bool impostor = false);
     const ModelEntry& entry(int model) const { return m_entries[std::size_t(model)]; }
     int size() const { return int(m_entries.size()); }
     std::span<const Bin> bins() const { return m_bins; }
     std::span<const glsl::CullModel> cullModels() const { return m_cullModels; }
     std::span<const Batch> batches() const { return m_batches; }
     const TextureLibrary& textures() const { return m_textures; }
+    const ImpostorAtlas& impostors() const { return m_impostors; }
+    ImpostorAtlas& impostors() { return m_impostors; }
     void clear();
 
     void upload(); // what was added since the last call
@@ -101,11 +107,13 @@ private:
     ModelLevel addLevel(const io::Model& model, std::span<const std::uint32_t> indices, std::span<const io::Part> parts,
                         std::vector<Placed>& placed);
     void addLevels(const io::Model& model, ModelEntry& entry);
+    void addImpostor(const io::Model& model, ModelEntry& entry);
 
     TextureLibrary m_textures;
+    ImpostorAtlas m_impostors;
     std::vector<ModelEntry> m_entries;
     std::vector<std::shared_ptr<const io::Model>> m_models; // keeps the keys of m_known alive
-    std::unordered_map<const io::Model*, int> m_known;
+    std::map<std::pair<const io::Model*, bool>, int> m_known; // with or without an impostor
     std::vector<Bin> m_bins;
     std::vector<glsl::CullModel> m_cullModels; // beside m_entries
     std::vector<Batch> m_batches;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/gl/debug.h"
+#include "renderer/impostor_baker.h"
 #include "renderer/passes/geometry.h"
 #include "renderer/passes/lighting.h"
 #include "renderer/passes/overlay.h"
@@ -30,6 +31,7 @@ struct Renderer::State {
     FrameStats stats;
 
     Scenery scenery;
+    ImpostorBaker impostors;
     SkyTables skyTables;
     ShadowPass shadow;
     GeometryPass geometry;

@@ -73,8 +73,10 @@ void World::readTemplate(const io::Scene& scene, const io::Assets& assets, io::T
     const std::size_t slot = io::number(id) - 1;
     if (m_templates.size() <= slot) m_templates.resize(slot + 1);
     TemplateState state;
-    if (slot < assets.models.size() && assets.models[slot]) state.model = m_models.add(assets.models[slot]);
-    if (const io::Template* value = scene.find(id)) {
+    const io::Template* value = scene.find(id);
+    if (slot < assets.models.size() && assets.models[slot])
+        state.model = m_models.add(assets.models[slot], value && value->impostor);
+    if (value) {
         state.castShadow = value->castShadow && !value->model.empty();
         state.marker = value->model.empty();
     }

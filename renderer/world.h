@@ -27,6 +27,7 @@ public:
     DrawList draws(GpuStream& stream, const CullRequest& request, bool blended) const;
 
     const ModelLibrary& models() const { return m_models; }
+    ImpostorAtlas& impostors() { return m_models.impostors(); }
     int modelOf(io::TemplateId id) const; // -1: none
     std::size_t instances() const { return m_records.size(); }
     io::WorldBox boundsOf(std::span<const io::ObjectId> ids) const;

@@ -159,6 +159,7 @@ void fields(auto& v, Of<Template> auto& t)
     v("collision", t.collision, Hint{});
     v("footprint", t.footprint, Hint{.min = 0, .max = 1000, .unit = "m"});
     v("cast_shadow", t.castShadow, Hint{});
+    v("impostor", t.impostor, Hint{});
     v("draw_path", t.drawPath, Hint{});
 }
 

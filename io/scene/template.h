@@ -24,6 +24,7 @@ struct Template {
     Collision collision = Collision::Mesh;
     float footprint = 0;           // m, radius around it that grass keeps out of
     bool castShadow = true;
+    bool impostor = false;         // drawn as a picture of itself where it is small
     DrawPath drawPath = DrawPath::Batched;
     Extra extra;
 

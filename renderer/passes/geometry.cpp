@@ -14,7 +14,7 @@ void GBuffer::bind(GpuFrame& gpu) const
 }
 
 GeometryPass::GeometryPass(ShaderLibrary& shaders)
-    : m_shaders{shaders}, m_programs{shaders, "objects", {}, kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap},
+    : m_shaders{shaders}, m_programs{shaders, "objects", {}, ~0u},
       m_objects{makeObjectVertexArray()}
 {
     groundProgram(1);

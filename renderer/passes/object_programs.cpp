@@ -1,5 +1,7 @@
 #include "renderer/passes/object_programs.h"
 
+#include "renderer/shaders/shared/bindings.h"
+
 namespace renderer {
 
 ObjectPrograms::ObjectPrograms(ShaderLibrary& shaders, std::string fragment, std::vector<std::string> defines,
@@ -12,13 +14,16 @@ ObjectPrograms::ObjectPrograms(ShaderLibrary& shaders, std::string fragment, std
 const gl::Program& ObjectPrograms::of(const Batch& batch, bool fading)
 {
     const unsigned features = batch.features & m_relevant;
-    const gl::Program*& program = m_programs[features + (fading ? 16 : 0)];
+    const gl::Program*& program = m_programs[features + (fading ? 32 : 0)];
     if (!program) {
         std::vector<std::string> defines = definesOf(features);
         if (fading) defines.emplace_back("FADE");
         defines.insert(defines.end(), m_defines.begin(), m_defines.end());
-        program = &m_shaders.program({.label = m_fragment,
-                                      .stages = {"objects.vert.glsl", m_fragment + ".frag.glsl"},
+        const bool impostor = features & kFeatureImpostor;
+        const std::string vertex = impostor ? "impostors" : "objects";
+        const std::string fragment = m_fragment == "objects" ? vertex : m_fragment;
+        program = &m_shaders.program({.label = fragment,
+                                      .stages = {vertex + ".vert.glsl", fragment + ".frag.glsl"},
                                       .defines = std::move(defines)});
     }
     return *program;
@@ -26,6 +31,8 @@ const gl::Program& ObjectPrograms::of(const Batch& batch, bool fading)
 
 void bindArrays(GpuFrame& gpu, const ModelLibrary& models, const Batch& batch)
 {
+    if (batch.features & kFeatureImpostor)
+        return gpu.bind({{BASE_COLOUR_UNIT, &models.impostors().colours()}, {NORMAL_UNIT, &models.impostors().surfaces()}});
     for (int unit = 0; unit < MATERIAL_TEXTURES; ++unit)
         gpu.bind({{unit, &models.textures().array(batch.arrays[std::size_t(unit)])}});
 }

@@ -21,10 +21,10 @@ private:
     std::string m_fragment;
     std::vector<std::string> m_defines;
     unsigned m_relevant;
-    std::array<const gl::Program*, 32> m_programs{}; // by features, and twice: whole and fading
+    std::array<const gl::Program*, 64> m_programs{}; // by features, and twice: whole and fading
 };
 
-// The texture arrays of a batch at their units.
+// The texture arrays of a batch at their units; an impostor's pictures.
 void bindArrays(GpuFrame& gpu, const ModelLibrary& models, const Batch& batch);
 
 } // namespace renderer

@@ -43,11 +43,8 @@ void ToneMapPass::render(GpuFrame& gpu, PictureTarget& canvas, const Radiance& r
 
 ShowPass::ShowPass(ShaderLibrary& shaders)
     : m_shaders{shaders},
-      m_flatObjects{shaders.program(
-          {.label = "flat objects", .stages = {"objects.vert.glsl", "flat.frag.glsl"}, .defines = {"POSITION_ONLY"}})},
-      m_objectLevels{shaders.program({.label = "object levels",
-                                      .stages = {"objects.vert.glsl", "flat.frag.glsl"},
-                                      .defines = {"POSITION_ONLY", "LEVELS"}})},
+      m_flatObjects{shaders, "flat", {"POSITION_ONLY"}, kFeatureImpostor},
+      m_objectLevels{shaders, "flat", {"POSITION_ONLY", "LEVELS"}, kFeatureImpostor},
       m_flatGround{shaders.program({.label = "flat ground", .stages = {"terrain.vert.glsl", "flat.frag.glsl"}})},
       m_groundLevels{shaders.program(
           {.label = "ground levels", .stages = {"terrain.vert.glsl", "flat.frag.glsl"}, .defines = {"LEVELS"}})},
@@ -62,11 +59,12 @@ void ShowPass::drawAgain(GpuFrame& gpu, Scenery& scenery, const GeometryPass::Dr
     const ModelLibrary& models = scenery.world.models();
     scenery.world.bind();
     drawRanges(gpu, m_objects, models, drawn.objects, drawn.objects.opaque, [&](const DrawRange& range) {
+        const Batch& batch = models.batches()[std::size_t(range.batch)];
         gl::DrawState own = state;
-        own.cull = models.batches()[std::size_t(range.batch)].twoSided ? GL_NONE : GL_BACK;
+        own.cull = batch.twoSided ? GL_NONE : GL_BACK;
         own.clockwise = range.mirrored;
         gl::apply(own);
-        return gpu.use(levels ? m_objectLevels : m_flatObjects);
+        return gpu.use((levels ? m_objectLevels : m_flatObjects).of(batch));
     });
     if (!scenery.terrain.present() || !gpu.use(levels ? m_groundLevels : m_flatGround)) return;
     gl::DrawState own = state;

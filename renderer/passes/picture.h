@@ -32,7 +32,8 @@ private:
     void drawAgain(GpuFrame& gpu, Scenery& scenery, const GeometryPass::Drawn& drawn, const gl::DrawState& state, bool levels);
 
     ShaderLibrary& m_shaders;
-    const gl::Program &m_flatObjects, &m_objectLevels, &m_flatGround, &m_groundLevels;
+    ObjectPrograms m_flatObjects, m_objectLevels;
+    const gl::Program &m_flatGround, &m_groundLevels;
     gl::VertexArray m_objects;
     gl::Framebuffer m_withDepth; // the canvas and the GBuffer's depth
     GLuint m_canvas = 0, m_depth = 0;
