@@ -14,8 +14,6 @@
 namespace app {
 namespace {
 
-constexpr float kFontPixels = 15;
-
 // The same numbers as the window's backend uses, so that the editor sees one keyboard.
 void mapKeys(ImGuiIO& io)
 {
@@ -120,10 +118,9 @@ void ImguiHost::setScale(float scale)
     const bool again = m_scale > 0;
     m_scale = scale;
     editor::applyTheme();
-    ImGui::GetStyle().ScaleAllSizes(scale);
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
-    editor::addFonts(*io.Fonts, findFonts(), std::round(kFontPixels * scale));
+    editor::addFonts(*io.Fonts, findFonts(), scale);
     if (again) ImGui_ImplOpenGL3_DestroyFontsTexture();
     if (again) ImGui_ImplOpenGL3_CreateFontsTexture();
 }
@@ -131,14 +128,19 @@ void ImguiHost::setScale(float scale)
 void ImguiHost::begin(glm::ivec2 size, double seconds)
 {
     ImGui_ImplOpenGL3_NewFrame();
+    ImGuiIO& io = ImGui::GetIO();
     if (m_window) {
-        ImGui_ImplGlfw_NewFrame();
+        ImGui_ImplGlfw_NewFrame(); // in the system's units, which are pixels on X11 and may be more on Wayland
         pointerWhereItActed();
+        const float toPoints = io.DisplayFramebufferScale.x / m_scale;
+        if (ImGui::IsMousePosValid(&io.MousePos)) io.MousePos = {io.MousePos.x * toPoints, io.MousePos.y * toPoints};
+        size = m_window->pixels();
     } else {
-        ImGuiIO& io = ImGui::GetIO();
-        io.DisplaySize = {float(size.x), float(size.y)};
         io.DeltaTime = float(seconds);
     }
+    // The window's content is laid out in points and drawn as so many pixels each: all of it keeps its proportions.
+    io.DisplaySize = {float(size.x) / m_scale, float(size.y) / m_scale};
+    io.DisplayFramebufferScale = {m_scale, m_scale};
     ImGui::NewFrame();
 }
 

@@ -18,9 +18,9 @@ public:
     ImguiHost(const ImguiHost&) = delete;
     ImguiHost& operator=(const ImguiHost&) = delete;
 
-    void begin(glm::ivec2 size, double seconds); // the last two count only without a window
+    void begin(glm::ivec2 size, double seconds); // pixels; both count only without a window
     void end();                                  // draws into the framebuffer that is bound then
-    void setScale(float scale);                  // of the screen: fonts are made anew when it changes
+    void setScale(float scale);                  // pixels of a point: fonts are made anew when it changes
 
 private:
     void keepShortTaps();

@@ -69,7 +69,7 @@ io::Result<Player::Progress> Player::move(const step::Move& move, ImGuiIO& io)
     const auto to = find(move.to), from = onTheWay ? find(move.from) : to;
     if (to && from) {
         const glm::dvec2 at = glm::mix(*from, *to, move.share);
-        io.MousePos = {float(at.x), float(at.y)};
+        io.MousePos = {float(at.x) / io.DisplayFramebufferScale.x, float(at.y) / io.DisplayFramebufferScale.y};
         return Progress::FrameDone;
     }
     if (m_waited < kPatience) return Progress::Waiting;

@@ -49,7 +49,8 @@ void Recorder::frame(const ImGuiIO& io)
     ++m_idle;
     const bool moved = io.MousePos.x != m_mouse.x || io.MousePos.y != m_mouse.y;
     if (moved && ImGui::IsMousePosValid(&io.MousePos))
-        write(fmt::format("{{\"move\": [{}, {}]}}", std::round(io.MousePos.x), std::round(io.MousePos.y)));
+        write(fmt::format("{{\"move\": [{}, {}]}}", std::round(io.MousePos.x * io.DisplayFramebufferScale.x),
+                          std::round(io.MousePos.y * io.DisplayFramebufferScale.y)));
     m_mouse = io.MousePos;
     for (int i = 0; i < 3; ++i)
         if (io.MouseDown[i] != m_buttons[i]) {

@@ -4,8 +4,10 @@
 #include "io/base/paths.h"
 #include "io/files/atomic_file.h"
 #include "io/files/json.h"
+#include "io/scene/field_words.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace app {
 namespace fs = std::filesystem;
@@ -90,6 +92,14 @@ std::vector<fs::path> Settings::recentProjects() const
     return result;
 }
 
+float Settings::uiScale() const
+{
+    const io::Value* ui = m_values.find("ui");
+    const io::Value* scale = ui ? ui->find("scale") : nullptr;
+    const double* number = scale ? scale->asNumber() : nullptr;
+    return number && std::isfinite(*number) ? std::clamp(float(*number), 0.5f, 3.0f) : 1.0f;
+}
+
 io::Value Settings::editor() const
 {
     const io::Value* value = m_values.find("editor");
@@ -99,6 +109,13 @@ io::Value Settings::editor() const
 void Settings::setLanguage(const std::string& code)
 {
     m_values["language"] = code;
+}
+
+void Settings::setUiScale(float scale)
+{
+    io::Value& ui = m_values["ui"];
+    if (!ui.asObject()) ui = io::Value::Object{};
+    ui["scale"] = io::decimal(scale);
 }
 
 void Settings::addRecentProject(const fs::path& project)

@@ -19,9 +19,11 @@ public:
     std::string language() const;
     Quality quality() const;
     std::vector<std::filesystem::path> recentProjects() const; // newest first
+    float uiScale() const; // "ui": {"scale": 1.5}, 0.5..3, on top of the screen's own
     io::Value editor() const;                                  // null: nothing yet
 
     void setLanguage(const std::string& code);
+    void setUiScale(float scale);
     void addRecentProject(const std::filesystem::path& project);
     void setEditor(const io::Value& value);
 

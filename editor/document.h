@@ -71,6 +71,7 @@ private:
     std::string step(Command* (History::*which)());
     void follow(const io::Changes& changes);
     void readChangedAssets(const io::Changes& changes);
+    void readChangedTerrain();
     void rememberAssets();
     bool gestureChanged() const { return m_gesture && !m_gesture->changesNothing(m_world); }
 

@@ -3,6 +3,8 @@
 
 #include "io/base/log.h"
 
+#include <algorithm>
+
 namespace editor {
 namespace {
 
@@ -10,6 +12,19 @@ void logComplaints(const io::Complaints& complaints, std::size_t from)
 {
     for (std::size_t i = from; i < complaints.size(); ++i)
         io::log::warning("{}: {}", complaints[i].where, complaints[i].what);
+}
+
+bool sameHeights(const io::Terrain& a, const io::Terrain& b)
+{
+    return a.heightMap == b.heightMap && a.metresPerTexel == b.metresPerTexel && a.origin == b.origin &&
+           a.minHeight == b.minHeight && a.maxHeight == b.maxHeight;
+}
+
+bool sameImages(const io::Terrain& a, const io::Terrain& b)
+{
+    return std::ranges::equal(a.layers, b.layers, [](const io::TerrainLayer& x, const io::TerrainLayer& y) {
+        return x.texture == y.texture && x.normalTexture == y.normalTexture;
+    });
 }
 
 // The project's files as they lie on disk, without the folder of a version control system.
@@ -69,19 +84,29 @@ void Document::readChangedAssets(const io::Changes& changes)
         const bool have = m_assets.models.size() > slot && m_assets.models[slot];
         if (!have || m_readModels[slot] != wanted) reloadModel(id);
     }
-    if (changes.terrain && m_world.scene.terrain() != m_readTerrain) {
-        io::World ground; // a world that names nothing but the terrain's files
-        ground.project = m_world.project;
-        ground.entry = m_world.entry;
-        ground.scene.exchange(m_world.scene.terrain());
-        const std::size_t before = m_complaints.size();
-        if (io::Result<io::Assets> read = io::readAssets(ground, m_complaints); read) {
-            m_assets.heights = std::move(read->heights);
-            m_assets.layers = std::move(read->layers);
-        }
-        m_readTerrain = m_world.scene.terrain();
-        logComplaints(m_complaints, before);
+    if (changes.terrain) readChangedTerrain();
+}
+
+// Only the files that another part of the terrain is made of now: a rule of a layer is dragged without reading any.
+void Document::readChangedTerrain()
+{
+    const io::Terrain& now = m_world.scene.terrain();
+    const bool heights = !sameHeights(now, m_readTerrain), images = !sameImages(now, m_readTerrain);
+    m_readTerrain = now;
+    if (!heights && !images) return;
+    io::Terrain wanted = now;
+    if (!heights) wanted.heightMap.clear();
+    if (!images) wanted.layers.clear();
+    io::World ground; // a world that names nothing but those files
+    ground.project = m_world.project;
+    ground.entry = m_world.entry;
+    ground.scene.exchange(std::move(wanted));
+    const std::size_t before = m_complaints.size();
+    if (io::Result<io::Assets> read = io::readAssets(ground, m_complaints); read) {
+        if (heights) m_assets.heights = std::move(read->heights);
+        if (images) m_assets.layers = std::move(read->layers);
     }
+    logComplaints(m_complaints, before);
 }
 
 void Document::reloadModel(io::TemplateId id)

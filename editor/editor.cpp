@@ -10,6 +10,7 @@
 #include "editor/panels/rendering_panel.h"
 #include "editor/panels/statistics_panel.h"
 #include "editor/panels/templates_panel.h"
+#include "editor/panels/terrain_panel.h"
 #include "editor/start_page.h"
 #include "editor/text.h"
 #include "editor/theme.h"
@@ -54,6 +55,7 @@ void Editor::addPanels()
     add(std::make_unique<InspectorPanel>(), Region::Right);
     add(std::make_unique<EnvironmentPanel>(), Region::Right);
     add(std::make_unique<RenderingPanel>(), Region::Right);
+    add(std::make_unique<TerrainPanel>(), Region::Right);
     add(std::make_unique<TemplatesPanel>(), Region::Bottom);
     add(std::make_unique<ConsolePanel>(), Region::Bottom);
     add(std::make_unique<StatisticsPanel>(), Region::Bottom);

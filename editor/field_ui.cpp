@@ -4,6 +4,7 @@
 #include "editor/text.h"
 #include "editor/widgets.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -144,12 +145,28 @@ bool FieldUi::toggle(const char* key, bool& value)
     return changed;
 }
 
+// The files, what is named now though it is none of them, and nothing at all.
+bool FieldUi::fileChoice(const Row& row, std::vector<std::string> files, std::string& value)
+{
+    if (!value.empty() && std::ranges::find(files, value) == files.end()) files.push_back(value);
+    files.insert(files.begin(), "");
+    int chosen = int(std::ranges::find(files, value) - files.begin());
+    std::vector<std::string> shown = files;
+    shown.front() = tr("common.no_file");
+    if (!ui::combo("##value", row.label, shown, chosen)) return false;
+    value = files[std::size_t(chosen)];
+    return true;
+}
+
 bool FieldUi::text(const char* key, std::string& value)
 {
     Row row;
     if (!beginRow(row, key, 1)) return false;
     ImGui::SetNextItemWidth(-1);
-    const bool changed = ui::textField("##value", isMixed(row.place) ? tr("common.mixed") : "", value);
+    std::vector<std::string> files = m_options.files ? m_options.files(row.key) : std::vector<std::string>{};
+    const bool changed = files.empty()
+                             ? ui::textField("##value", isMixed(row.place) ? tr("common.mixed") : "", value)
+                             : fileChoice(row, std::move(files), value);
     if (changed) note(row, {row.place, value});
     endRow(row);
     return changed;

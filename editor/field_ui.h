@@ -17,6 +17,7 @@ struct FieldUiOptions {
     std::vector<bool> mixed;                           // by place; empty: none is
     std::string filter;                                // lowered: only rows whose label holds this
     std::function<bool(std::string_view key)> enabled; // none: all are
+    std::function<std::vector<std::string>(std::string_view key)> files; // that a text may name; none: it is typed
     std::function<void(std::string_view key)> before;  // may draw rows of its own at the top of a section, "sun."
 };
 
@@ -56,15 +57,16 @@ public:
     const std::string& changedLabel() const { return m_changedLabel; } // for the undo step's name
 
 private:
+    struct Row;
     bool beginSection(const char* key);
     void endSection();
     void skipSection(std::size_t scalars) { m_place += scalars; }
     bool choice(const char* key, const std::vector<std::string_view>& names, int& chosen);
     bool toggle(const char* key, bool& value);
     bool text(const char* key, std::string& value);
+    bool fileChoice(const Row& row, std::vector<std::string> files, std::string& value);
     bool numbers(const char* key, double* values, int count, const io::Hint& hint, bool whole);
 
-    struct Row;
     bool beginRow(Row& row, const char* key, int count, std::string_view unit = {});
     void endRow(const Row& row);
     bool resetButton(const Row& row);

@@ -22,6 +22,9 @@ public:
     virtual std::string language() const = 0;              // code of the one in use
     virtual void setLanguage(const std::string& code) = 0; // hands its texts to editor::setTexts() and remembers it
 
+    virtual float uiScale() const { return 1; } // the person's own factor on the size of everything
+    virtual void setUiScale(float scale) { (void)scale; }
+
     virtual std::vector<std::filesystem::path> recentProjects() const = 0; // newest first
     virtual void addRecentProject(const std::filesystem::path& project) = 0;
 

@@ -4,6 +4,9 @@
 #include "editor/text.h"
 #include "editor/widgets.h"
 
+#include <cmath>
+#include <string>
+
 namespace editor {
 namespace {
 
@@ -103,6 +106,16 @@ void languageMenu(Editor& editor)
     ImGui::EndMenu();
 }
 
+void sizeMenu(Editor& editor)
+{
+    if (!ui::beginMenu(tr("menu.size"))) return;
+    const int now = int(std::lround(editor.host().uiScale() * 100));
+    for (const int percent : {75, 100, 125, 150, 175, 200, 250})
+        if (ui::menuItem((std::to_string(percent) + " %").c_str(), nullptr, percent == now))
+            editor.host().setUiScale(float(percent) / 100);
+    ImGui::EndMenu();
+}
+
 void viewMenu(Editor& editor)
 {
     if (!ui::beginMenu(tr("menu.view"))) return;
@@ -114,6 +127,7 @@ void viewMenu(Editor& editor)
     ImGui::Separator();
     panelsMenu(editor);
     languageMenu(editor);
+    sizeMenu(editor);
     ImGui::EndMenu();
 }
 

@@ -22,7 +22,7 @@ bool projectCard(const fs::path& project, Icon icon)
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(min, max, ImGui::IsItemHovered() ? palette::kHover : palette::kRaised, 5);
     drawIcon(draw, icon, {min.x + 16, min.y + 16}, 24, palette::kAccent);
-    draw.AddText(boldFont(), boldFont()->FontSize, {min.x + 56, min.y + 10}, palette::kText,
+    draw.AddText(boldFont(), sizeOf(boldFont()), {min.x + 56, min.y + 10}, palette::kText,
                  project.filename().c_str());
     draw.AddText({min.x + 56, min.y + 30}, palette::kFaintText,
                  ui::fitted(project.string(), max.x - min.x - 70).c_str());

@@ -123,17 +123,33 @@ void applyTheme()
     ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
 }
 
-void addFonts(ImFontAtlas& atlas, const FontFiles& files, float pixels)
+void addFonts(ImFontAtlas& atlas, const FontFiles& files, float scale)
 {
+    constexpr float kPoints = 15;
     atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
     atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
     const auto& bold = files.bold.empty() ? files.regular : files.bold;
-    addFont(atlas, files.regular, pixels);
-    addFont(atlas, bold, pixels);
-    addFont(atlas, files.mono.empty() ? files.regular : files.mono, pixels - 1);
-    addFont(atlas, bold, std::round(pixels * 1.75f));
-    addFont(atlas, files.regular, pixels - 2);
-    addFont(atlas, bold, pixels + 2);
+    const auto add = [&](const std::filesystem::path& file, float points) {
+        addFont(atlas, file, std::round(points * scale));
+    };
+    add(files.regular, kPoints);
+    add(bold, kPoints);
+    add(files.mono.empty() ? files.regular : files.mono, kPoints - 1);
+    add(bold, std::round(kPoints * 1.75f));
+    add(files.regular, kPoints - 2);
+    add(bold, kPoints + 2);
+    ImGui::GetIO().FontGlobalScale = 1 / scale;
+    ImGui::GetStyle().CircleTessellationMaxError = 0.2f / scale; // points
+}
+
+float pixelsPerPoint()
+{
+    return ImGui::GetIO().DisplayFramebufferScale.x;
+}
+
+float sizeOf(const ImFont* font)
+{
+    return font->FontSize * ImGui::GetIO().FontGlobalScale;
 }
 
 ImFont* boldFont()

@@ -39,12 +39,15 @@ void applyTheme();
 struct FontFiles {
     std::filesystem::path regular, bold, mono;
 };
-void addFonts(ImFontAtlas& atlas, const FontFiles& files, float pixels = 15);
+// Sizes are in points everywhere; a screen shows `scale` pixels for each. The fonts are made for those pixels.
+void addFonts(ImFontAtlas& atlas, const FontFiles& files, float scale = 1);
+float pixelsPerPoint(); // of the window
 
 ImFont* boldFont(); // those of the current context, or its default font
 ImFont* monoFont();
 ImFont* largeFont();
 ImFont* smallFont();
 ImFont* figureFont(); // bold, a little larger
+float sizeOf(const ImFont* font); // points
 
 } // namespace editor

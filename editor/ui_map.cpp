@@ -16,9 +16,12 @@ struct Item {
 std::vector<Item> g_items;
 std::string g_panel = "window";
 
+// In pixels of the picture, whatever the window's scale.
 io::Value rectangle(const Item& item)
 {
-    return io::Value::Array{item.min.x, item.min.y, item.max.x - item.min.x, item.max.y - item.min.y};
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    return io::Value::Array{item.min.x * scale.x, item.min.y * scale.y, (item.max.x - item.min.x) * scale.x,
+                            (item.max.y - item.min.y) * scale.y};
 }
 
 } // namespace

@@ -126,7 +126,7 @@ void Viewport::drawPicture(Editor& editor)
     editor.follow();
     chooseCoarseness(editor);
     renderer::FrameInput input = frameInput(editor);
-    input.size = glm::max(glm::ivec2{glm::dvec2{m_size} * kScales[m_coarseness]}, glm::ivec2{1});
+    input.size = glm::max(glm::ivec2{glm::dvec2{m_size} * double(pixelsPerPoint()) * kScales[m_coarseness]}, glm::ivec2{1});
     const renderer::Picture picture = editor.renderer()->render(input);
     const ImVec2 max{m_min.x + float(m_size.x), m_min.y + float(m_size.y)};
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(picture.texture), m_min, max, {0, 1}, {1, 0});

@@ -35,8 +35,10 @@ void Viewport::click(Editor& editor)
 void Viewport::selectBox(Editor& editor)
 {
     const PixelRect rect{m_pressed, glm::clamp(pointer(), glm::dvec2{0}, glm::dvec2{m_size})};
-    const glm::ivec2 from = glm::max(glm::ivec2{glm::min(rect.from, rect.to)}, glm::ivec2{0});
-    const glm::ivec2 to = glm::min(glm::ivec2{glm::ceil(glm::max(rect.from, rect.to))}, m_size);
+    const double scale = pixelsPerPoint();
+    const glm::ivec2 from = glm::max(glm::ivec2{glm::min(rect.from, rect.to) * scale}, glm::ivec2{0});
+    const glm::ivec2 to = glm::min(glm::ivec2{glm::ceil(glm::max(rect.from, rect.to) * scale)},
+                                   glm::ivec2{glm::dvec2{m_size} * scale});
     std::vector<io::ObjectId> ids;
     if (editor.renderer() && from.x < to.x && from.y < to.y) {
         const std::vector<std::uint32_t> seen = editor.renderer()->readIds(from, to - from);

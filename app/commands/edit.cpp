@@ -40,13 +40,14 @@ double secondsSince(std::chrono::steady_clock::time_point start)
 
 class Stage {
 public:
-    Stage(const Options& options, EditView& view, ImguiHost& host)
-        : m_options{options}, m_view{view}, m_host{host}, m_canvas{std::make_unique<renderer::Canvas>(options.size)}
+    Stage(const Options& options, EditView& view, ImguiHost& host, const Settings& settings)
+        : m_options{options}, m_view{view}, m_host{host}, m_settings{settings}, m_canvas{std::make_unique<renderer::Canvas>(options.size)}
     {
     }
 
     void draw()
     {
+        m_host.setScale(m_settings.uiScale());
         m_view.run(kStep);
         m_host.begin(m_canvas->size(), kStep);
         m_view.runImGui();
@@ -89,15 +90,17 @@ private:
     const Options& m_options;
     EditView& m_view;
     ImguiHost& m_host;
+    const Settings& m_settings;
     std::unique_ptr<renderer::Canvas> m_canvas;
     std::size_t m_shots = 0;
     int m_frames = 0;
 };
 
-io::Status play(const Options& options, std::vector<Step> steps, EditView& view, ImguiHost& host)
+io::Status play(const Options& options, std::vector<Step> steps, EditView& view, ImguiHost& host,
+                const Settings& settings)
 {
     const auto start = std::chrono::steady_clock::now();
-    Stage stage{options, view, host};
+    Stage stage{options, view, host, settings};
     Player player{std::move(steps), options.replay.string(), stage.hooks()};
     stage.draw(); // widgets have a place only once they were drawn
     for (;;) {
@@ -122,11 +125,11 @@ int replay(const Options& options)
     if (!studio) return fault(studio.error());
 
     Settings settings = settingsFor(options);
-    ImguiHost host{nullptr, 1};
+    ImguiHost host{nullptr, settings.uiScale()};
     EditView view{options, (*studio)->renderer(), settings, std::move(std::get<Opened>(opened).document)};
     if (const io::Status ready = view.init(); !ready) return fault(ready.error());
     view.wake();
-    const io::Status played = play(options, *std::move(steps), view, host);
+    const io::Status played = play(options, *std::move(steps), view, host, settings);
     view.stop();
     view.burn();
     return played ? 0 : fault(played.error());
@@ -136,8 +139,8 @@ int replay(const Options& options)
 
 class Loop {
 public:
-    Loop(Window& window, ImguiHost& host, EditView& view, Recorder* recorder)
-        : m_window{window}, m_host{host}, m_view{view}, m_recorder{recorder}
+    Loop(Window& window, ImguiHost& host, EditView& view, const Settings& settings, Recorder* recorder)
+        : m_window{window}, m_host{host}, m_view{view}, m_settings{settings}, m_recorder{recorder}
     {
     }
 
@@ -165,7 +168,7 @@ private:
         const Clock::time_point now = Clock::now();
         const double seconds = std::chrono::duration<double>(now - m_last).count();
         m_last = now;
-        m_host.setScale(m_window.scale());
+        m_host.setScale(m_window.scale() * m_settings.uiScale());
         m_view.run(std::clamp(seconds, 1e-4, kLongestFrame));
         m_host.begin({}, 0);
         if (m_recorder) m_recorder->frame(ImGui::GetIO());
@@ -182,6 +185,7 @@ private:
     Window& m_window;
     ImguiHost& m_host;
     EditView& m_view;
+    const Settings& m_settings;
     Recorder* m_recorder;
     Clock::time_point m_last = Clock::now();
 };
@@ -199,11 +203,11 @@ int openWindow(const Options& options)
     if (!window) return fault(window.error());
     auto renderer = makeRenderer();
     if (!renderer) return fault(renderer.error());
-    ImguiHost host{window->get(), (*window)->scale()};
+    ImguiHost host{window->get(), (*window)->scale() * settings.uiScale()};
     EditView view{options, **renderer, settings};
     if (const io::Status ready = view.init(); !ready) return fault(ready.error());
     view.wake();
-    Loop{**window, host, view, recorder ? &*recorder : nullptr}.run();
+    Loop{**window, host, view, settings, recorder ? &*recorder : nullptr}.run();
     view.stop();
     view.burn();
     return 0;

@@ -131,6 +131,12 @@ void EditView::setLanguage(const std::string& code)
     m_settings.save();
 }
 
+void EditView::setUiScale(float scale)
+{
+    m_settings.setUiScale(scale);
+    m_settings.save();
+}
+
 std::vector<fs::path> EditView::recentProjects() const
 {
     return m_settings.recentProjects();

@@ -34,6 +34,8 @@ private:
     std::vector<editor::Language> languages() const override;
     std::string language() const override { return m_language; }
     void setLanguage(const std::string& code) override;
+    float uiScale() const override { return m_settings.uiScale(); }
+    void setUiScale(float scale) override;
     std::vector<std::filesystem::path> recentProjects() const override;
     void addRecentProject(const std::filesystem::path& project) override;
     std::vector<std::filesystem::path> shippedWorlds() const override;

@@ -193,7 +193,7 @@ void InspectorPanel::drawTemplate(Editor& editor, io::TemplateId id)
     constexpr float kPicture = 84;
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + kPicture, at.y + kPicture}, palette::kField, 4);
     if (editor.renderer()) {
-        const renderer::Picture picture = editor.renderer()->thumbnail(id, 128);
+        const renderer::Picture picture = editor.renderer()->thumbnail(id, int(128 * pixelsPerPoint()));
         ImGui::GetWindowDrawList()->AddImageRounded(reinterpret_cast<ImTextureID>(picture.texture), at,
                                                     {at.x + kPicture, at.y + kPicture}, {0, 1}, {1, 0}, IM_COL32_WHITE,
                                                     4);

@@ -20,7 +20,7 @@ void figure(const char* key, const std::string& value)
     mapItem("figure", tr(key), value);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(min, {min.x + kWidth, min.y + kHeight}, palette::kRaised, 4);
-    draw.AddText(figureFont(), figureFont()->FontSize, {min.x + 10, min.y + 7}, palette::kText, value.c_str());
+    draw.AddText(figureFont(), sizeOf(figureFont()), {min.x + 10, min.y + 7}, palette::kText, value.c_str());
     ImGui::PushFont(smallFont());
     draw.AddText({min.x + 10, min.y + 29}, palette::kSoftText, ui::fitted(tr(key), kWidth - 12).c_str());
     ImGui::PopFont();
@@ -108,7 +108,7 @@ void StatisticsPanel::graph() const
         draw.AddRectFilled({x, min.y + kHeight * (1 - ms / highest)}, {x + kWide / count - 0.6f, min.y + kHeight},
                            withAlpha(ms > 33.4f ? palette::kAmber : palette::kAccent, 0.45f));
     }
-    draw.AddText(figureFont(), figureFont()->FontSize, {min.x + 10, min.y + 7}, palette::kText, text.c_str());
+    draw.AddText(figureFont(), sizeOf(figureFont()), {min.x + 10, min.y + 7}, palette::kText, text.c_str());
 }
 
 void StatisticsPanel::passes(Editor& editor) const

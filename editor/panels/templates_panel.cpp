@@ -155,7 +155,7 @@ void TemplatesPanel::picture(Editor& editor, io::TemplateId id, ImVec2 min, floa
     }
     if (!ready) ++m_newPictures;
     m_drawn.insert(io::number(id));
-    const renderer::Picture shown = editor.renderer()->thumbnail(id, 128);
+    const renderer::Picture shown = editor.renderer()->thumbnail(id, int(128 * pixelsPerPoint()));
     draw.AddImageRounded(reinterpret_cast<ImTextureID>(shown.texture), min, max, {0, 1}, {1, 0}, IM_COL32_WHITE, 5,
                          ImDrawFlags_RoundCornersTop);
 }

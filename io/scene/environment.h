@@ -63,7 +63,7 @@ struct Environment {
     float time = 10.5f;   // hours, local solar time
     int dayOfYear = 172;  // 1..366
     float latitude = 49;  // degrees, north positive
-    float exposure = 2;   // EV: the picture is multiplied by 2^exposure before tone mapping
+    float exposure = 3.3f; // EV: the picture is multiplied by 2^exposure before tone mapping
     Sun sun;
     Sky sky;
     Clouds clouds;

@@ -78,7 +78,7 @@ struct KeysOfFields {
             keys.insert("section." + prefix + path + key);
             KeysOfFields inner{prefix, path + key + ".", keys};
             fields(inner, value);
-        } else {
+        } else if constexpr (!requires { value.emplace_back(); }) { // a list has a place of its own
             keys.insert("field." + prefix + path + key);
             if constexpr (editor::NamedEnum<T>)
                 for (const std::string_view name : enumNames(value))
@@ -99,6 +99,8 @@ Keys computedKeys()
     Keys keys;
     addFields<io::Environment>(keys, "");
     addFields<io::Template>(keys, "template.");
+    addFields<io::Terrain>(keys, "terrain.");
+    addFields<io::TerrainLayer>(keys, "layer.");
     addFields<io::Transform>(keys, "object.");
     addFields<renderer::Settings>(keys, "render.");
     for (const std::string_view name : enumNames(renderer::Show::Final))
@@ -176,6 +178,29 @@ TEST(Lang, CzechIsCzech)
     }
     EXPECT_LT(same, czech.size() / 6);
     EXPECT_GT(accented, czech.size() / 2);
+}
+
+// Every step that a person can make in the window has a name of its language.
+TEST(Lang, StepsAreNamedInTheLanguageOfTheWindow)
+{
+    for (const std::string code : {"en", "cs"}) {
+        test::Rig rig;
+        rig.host.setLanguage(code);
+        std::set<std::string> known;
+        for (const auto& [key, text] : textsOf(code))
+            if (key.starts_with("undo.")) known.insert(text);
+        rig.editor->chosenTemplate = io::TemplateId{2};
+        const io::ObjectId first{1};
+        for (const editor::Action& action : rig.editor->actions().all()) {
+            if (action.id == "quit" || action.id == "close" || action.id == "undo" || action.id == "redo") continue;
+            rig.editor->selection().set(rig.document().hierarchy().outermost({&first, 1}));
+            if (rig.document().scene().find(first) == nullptr) rig.document().goTo(0);
+            rig.editor->actions().run(action.id);
+            rig.frame(2);
+            for (const std::string& name : rig.document().history().names())
+                EXPECT_TRUE(known.contains(name)) << code << " " << action.id << ": " << name;
+        }
+    }
 }
 
 TEST(Text, MissingKeysShowThemselvesAndBadFormatsDoNotThrow)

@@ -79,6 +79,21 @@ TEST_F(SettingsTest, recentProjectsAreNewestFirstAndOnce)
     EXPECT_EQ(std::ranges::count(recent, folder / "15"), 1);
 }
 
+TEST_F(SettingsTest, theScaleOfTheWindowStaysUsable)
+{
+    write(R"({"ui": 7})");
+    Settings settings = Settings::load(file);
+    EXPECT_EQ(settings.uiScale(), 1);
+    settings.setUiScale(1.25f);
+    settings.save();
+    EXPECT_NE(text(file).find("\"scale\": 1.25"), std::string::npos);
+    EXPECT_EQ(Settings::load(file).uiScale(), 1.25f);
+    write(R"({"ui": {"scale": 90}})");
+    EXPECT_EQ(Settings::load(file).uiScale(), 3);
+    write(R"({"ui": {"scale": 0}})");
+    EXPECT_EQ(Settings::load(file).uiScale(), 0.5f);
+}
+
 TEST_F(SettingsTest, withoutAFileNothingIsWritten)
 {
     Settings settings;

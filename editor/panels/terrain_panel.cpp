@@ -1,0 +1,129 @@
+#include "editor/panels/terrain_panel.h"
+
+#include "editor/editor.h"
+#include "editor/field_ui.h"
+#include "editor/text.h"
+#include "editor/widgets.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLookEvery = 2; // s
+
+std::vector<std::string> filesIn(const fs::path& project, const char* folder)
+{
+    std::vector<std::string> files;
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator{project / folder, none})
+        if (entry.is_regular_file(none) && !entry.path().filename().string().starts_with('.'))
+            files.push_back(std::string{folder} + "/" + entry.path().filename().string());
+    std::ranges::sort(files);
+    return files;
+}
+
+void changeLayers(Editor& editor, const char* stepKey, auto&& change)
+{
+    io::Terrain terrain = editor.document()->scene().terrain();
+    change(terrain.layers);
+    editor.step(stepKey, [&](Document& document) { setTerrain(document, tr(stepKey), std::move(terrain)); });
+}
+
+} // namespace
+
+void TerrainPanel::draw(Editor& editor)
+{
+    if (!editor.document()) return;
+    refreshFiles(editor);
+    measures(editor);
+    layers(editor);
+}
+
+void TerrainPanel::refreshFiles(Editor& editor)
+{
+    if (editor.time() < m_nextLook) return;
+    m_nextLook = editor.time() + kLookEvery;
+    const fs::path& project = editor.document()->project().folder;
+    m_heightMaps = filesIn(project, "terrain");
+    m_textures = filesIn(project, "textures");
+}
+
+const std::vector<std::string>& TerrainPanel::filesFor(std::string_view key) const
+{
+    static const std::vector<std::string> none;
+    if (key == "terrain.height_map") return m_heightMaps;
+    return key.ends_with("texture") ? m_textures : none;
+}
+
+void TerrainPanel::measures(Editor& editor)
+{
+    io::Terrain shown = editor.document()->scene().terrain();
+    FieldUi ui{{.prefix = "terrain.", .files = [this](std::string_view key) { return filesFor(key); }}};
+    if (ui::section("terrain", tr("section.terrain"))) {
+        fields(ui, shown);
+        if (const io::HeightMap* map = editor.document()->assets().heights.get())
+            ui::softText(trf("ground.facts", map->size.x, map->size.y, map->min, map->max));
+    }
+    if (ui.changes().empty()) return;
+    editor.beginEdit(ui.changedKey(), trf("undo.edit", ui.changedLabel()));
+    setTerrain(*editor.document(), ui.changedLabel(), std::move(shown));
+}
+
+void TerrainPanel::layers(Editor& editor)
+{
+    ImGui::Dummy({0, 2});
+    if (!ui::section("layers", tr("ground.layers"))) return;
+    ui::softText(tr("ground.order"));
+    for (std::size_t i = 0; i < editor.document()->scene().terrain().layers.size(); ++i) {
+        ImGui::PushID(int(i));
+        const std::string name = editor.document()->scene().terrain().layers[i].name;
+        if (ui::section("layer", name.empty() ? tr("ground.nameless") : name.c_str(), false) &&
+            layerButtons(editor, i))
+            layerFields(editor, i);
+        ImGui::PopID();
+    }
+    ImGui::Dummy({0, 2});
+    if (ui::button("add", tr("ground.add")))
+        changeLayers(editor, "undo.add_layer", [](std::vector<io::TerrainLayer>& list) {
+            list.push_back({.name = tr("ground.new_name")});
+        });
+}
+
+bool TerrainPanel::layerButtons(Editor& editor, std::size_t index)
+{
+    const std::size_t last = editor.document()->scene().terrain().layers.size() - 1;
+    const auto button = [](const char* id, Icon icon, const char* text, bool enabled) {
+        const bool pressed =
+            ui::iconButton({.id = id, .icon = icon, .label = tr(text), .enabled = enabled, .size = 24});
+        ImGui::SameLine(0, 2);
+        return pressed;
+    };
+    const bool up = button("up", Icon::Up, "ground.earlier", index > 0);
+    const bool down = button("down", Icon::ChevronDown, "ground.later", index < last);
+    const bool remove = button("remove", Icon::Trash, "ground.remove", true);
+    ImGui::NewLine();
+    using Layers = std::vector<io::TerrainLayer>;
+    if (up) changeLayers(editor, "undo.move_layer", [=](Layers& list) { std::swap(list[index], list[index - 1]); });
+    if (down) changeLayers(editor, "undo.move_layer", [=](Layers& list) { std::swap(list[index], list[index + 1]); });
+    if (remove)
+        changeLayers(editor, "undo.remove_layer", [=](Layers& list) { list.erase(list.begin() + long(index)); });
+    return !up && !down && !remove;
+}
+
+void TerrainPanel::layerFields(Editor& editor, std::size_t index)
+{
+    io::Terrain shown = editor.document()->scene().terrain();
+    FieldUi ui{{.prefix = "layer.",
+                .defaults = scalarsOf(io::TerrainLayer{}),
+                .files = [this](std::string_view key) { return filesFor(key); }}};
+    fields(ui, shown.layers[index]);
+    if (ui.changes().empty()) return;
+    editor.beginEdit(ui.changedKey() + std::to_string(index), trf("undo.edit", ui.changedLabel()));
+    setTerrain(*editor.document(), ui.changedLabel(), std::move(shown));
+}
+
+} // namespace editor
