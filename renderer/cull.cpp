@@ -3,6 +3,25 @@
 #include <cmath>
 
 namespace renderer {
+namespace {
+
+void see(const CullScene& scene, const glsl::CullView& view, std::uint32_t slot, std::vector<Seen>& seen)
+{
+    const glsl::CullRecord& record = scene.records[slot];
+    const glsl::CullModel& model = scene.models[record.model];
+    const glsl::LevelChoice choice = glsl::chooseLevel(record, model, view);
+    const bool fading = choice.share < DRAWN_FADE_STEPS;
+    const std::uint32_t kind = model.firstBin + (record.flags & CULL_MIRRORED ? 2 : 0) + (fading ? 1 : 0);
+    const auto add = [&](std::uint32_t level, std::uint32_t fade) {
+        seen.push_back({slot | level << DRAWN_LEVEL_SHIFT | fade << DRAWN_FADE_SHIFT, kind + level * 4});
+    };
+    const auto level = std::uint32_t(choice.level);
+    if (!fading) return add(level, 0);
+    add(level, std::uint32_t(choice.share));
+    add(level - 1, DRAWN_FADE_OTHERS + std::uint32_t(choice.share));
+}
+
+} // namespace
 
 glsl::CullView cullView(const CullRequest& request, std::size_t instances)
 {
@@ -27,30 +46,23 @@ glsl::CullRecord cullRecord(const glm::dvec3& centre, double radius, std::uint32
     return {.centre = glm::vec3{centre}, .radius = float(radius * 1.0001 + rounding), .model = model, .flags = flags};
 }
 
-void see(const CullScene& scene, const glsl::CullView& view, std::uint32_t slot, std::vector<Seen>& seen)
-{
-    const glsl::CullRecord& record = scene.records[slot];
-    const glsl::CullModel& model = scene.models[record.model];
-    const glsl::LevelChoice choice = glsl::chooseLevel(record, model, view);
-    const bool fading = choice.share < DRAWN_FADE_STEPS;
-    const std::uint32_t kind = model.firstBin + (record.flags & CULL_MIRRORED ? 2 : 0) + (fading ? 1 : 0);
-    const auto add = [&](std::uint32_t level, std::uint32_t fade) {
-        seen.push_back({slot | level << DRAWN_LEVEL_SHIFT | fade << DRAWN_FADE_SHIFT, kind + level * 4});
-    };
-    const auto level = std::uint32_t(choice.level);
-    if (!fading) return add(level, 0);
-    add(level, std::uint32_t(choice.share));
-    add(level - 1, DRAWN_FADE_OTHERS + std::uint32_t(choice.share));
-}
-
-void cull(const CullScene& scene, const glsl::CullView& view, std::vector<Seen>& seen)
+void cull(const CullScene& scene, const CullRequest& request, std::vector<Seen>& seen)
 {
     seen.clear();
-    for (std::uint32_t slot = 0; slot < scene.records.size(); ++slot) {
+    const glsl::CullView view = cullView(request, scene.records.size());
+    const auto test = [&](std::uint32_t slot, bool inside) {
         const glsl::CullRecord& record = scene.records[slot];
-        if (glsl::wanted(record, view) && glsl::insidePlanes(record, view) && glsl::largeEnough(record, view))
+        if (glsl::wanted(record, view) && (inside || glsl::insidePlanes(record, view)) && glsl::largeEnough(record, view))
             see(scene, view, slot, seen);
-    }
+    };
+    if (request.volume && scene.tree)
+        scene.tree->frustum(request.volume->planes, [&](const auto& items, bool whole) {
+            for (const auto& item : items)
+                test(item.value, whole);
+        });
+    else
+        for (std::uint32_t slot = 0; slot < scene.records.size(); ++slot)
+            test(slot, false);
 }
 
 } // namespace renderer

@@ -1,6 +1,7 @@
 // Which instances a view sees, and at which levels of detail.
 #pragma once
 
+#include "io/scene/scene_tree.h"
 #include "renderer/eye.h"
 #include "renderer/shaders/shared/culling.h"
 
@@ -36,11 +37,10 @@ struct Seen {
 struct CullScene {
     std::span<const glsl::CullRecord> records; // by slot
     std::span<const glsl::CullModel> models;
+    const io::SceneTree<std::uint32_t>* tree = nullptr; // of slots; where there is one, cost follows what is inside
 };
 
-// In rising order of slots; one that fades is there twice.
-void cull(const CullScene& scene, const glsl::CullView& view, std::vector<Seen>& seen);
-// The same of one slot whose place was found good.
-void see(const CullScene& scene, const glsl::CullView& view, std::uint32_t slot, std::vector<Seen>& seen);
+// One that fades is there twice.
+void cull(const CullScene& scene, const CullRequest& request, std::vector<Seen>& seen);
 
 } // namespace renderer

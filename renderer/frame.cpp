@@ -33,7 +33,6 @@ Picture Renderer::State::render(const FrameInput& in)
 
     Radiance& hdr = lighting.render(gpu, surfaces, viewpoint, in.settings);
     sky.render(gpu, hdr, viewpoint);
-    fog.render(gpu, hdr, surfaces, viewpoint);
     transparent.render(gpu, hdr, surfaces, scenery, viewpoint, drawn.objects, in.ghosts, in.settings);
     radiance = &hdr;
 

@@ -57,6 +57,13 @@ void addClouds(glsl::Light& light, const io::Clouds& clouds, bool on, const Eye&
     light.cloudWidth = 0.035f + 0.22f * clouds.softness;
     light.cloudOrigin = glm::vec2{drifted - glm::floor(drifted / kCloudPeriod) * kCloudPeriod};
     light.cloudWind = glm::vec2{wind};
+
+    // The map moves by whole texels of the field, so that shadows do not swim.
+    const glm::dvec2 shift = glm::dvec2{light.towardSun.x, light.towardSun.z} / std::max(double(light.towardSun.y), 0.12);
+    const glm::dvec2 seen = glm::dvec2{light.cloudOrigin} + shift * double(light.cloudAltitude);
+    constexpr double kTexel = double(CLOUD_MAP_METRES) / CLOUD_MAP_SIZE;
+    const glm::dvec2 middle = glm::floor(seen / kTexel) * kTexel;
+    light.cloudMap = glm::vec4{middle, (seen - middle) / double(CLOUD_MAP_METRES) + 0.5};
 }
 
 } // namespace

@@ -47,7 +47,7 @@ io::Image readTexture(const gl::Texture& texture, int channels, io::PixelType ty
 
 Renderer::State::State(const Options& options)
     : debug{options.debug}, shaders{options.shaders}, impostors{shaders}, skyTables{shaders}, shadow{shaders}, geometry{shaders},
-      lighting{shaders}, sky{shaders}, fog{shaders}, transparent{shaders}, toneMap{shaders}, show{shaders},
+      lighting{shaders}, sky{shaders}, transparent{shaders}, toneMap{shaders}, show{shaders},
       overlay{shaders}, thumbnails{shaders}
 {
 }

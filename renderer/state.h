@@ -37,7 +37,6 @@ struct Renderer::State {
     GeometryPass geometry;
     LightingPass lighting;
     SkyPass sky;
-    FogPass fog;
     TransparentPass transparent;
     ToneMapPass toneMap;
     ShowPass show;

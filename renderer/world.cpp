@@ -3,11 +3,48 @@
 #include "io/base/contract.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace renderer {
 namespace {
 
-constexpr std::size_t kScattered = 2048; // more single records than this go up as one piece
+constexpr std::uint32_t kGap = 64;     // slots between two changed ones that go up together
+constexpr std::size_t kFewPlaces = 256; // more changed places than this count as everywhere
+
+// Writes what `slots` (any order, perhaps doubled; emptied) name of `values` into `buffer`; answers the bytes.
+template <class T>
+std::uint64_t writeSlots(gl::Buffer& buffer, std::span<const T> values, std::vector<std::uint32_t>& slots)
+{
+    std::ranges::sort(slots);
+    std::uint64_t written = 0;
+    for (std::size_t i = 0; i < slots.size();) {
+        const std::uint32_t first = slots[i];
+        std::uint32_t last = first;
+        while (++i < slots.size() && slots[i] <= last + kGap)
+            last = slots[i];
+        const std::size_t end = std::min<std::size_t>(last + 1, values.size());
+        if (first >= end) continue;
+        const auto bytes = std::as_bytes(values.subspan(first, end - first));
+        buffer.write(first * sizeof(T), bytes);
+        written += bytes.size();
+    }
+    slots.clear();
+    return written;
+}
+
+io::WorldBox boxOf(const glsl::CullRecord& record)
+{
+    const glm::dvec3 centre{record.centre};
+    return {centre - double(record.radius), centre + double(record.radius)};
+}
+
+bool isFinite(const io::Transform& t)
+{
+    const double sum = t.position.x + t.position.y + t.position.z + t.rotation.x + t.rotation.y + t.rotation.z +
+                       t.scale.x + t.scale.y + t.scale.z;
+    return std::isfinite(sum) && t.scale.x != 0 && t.scale.y != 0 && t.scale.z != 0;
+}
 
 } // namespace
 
@@ -32,7 +69,7 @@ glsl::Instance instanceOf(const io::Transform& transform, io::ObjectId id)
 void World::update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes)
 {
     if (changes.none()) return;
-    ++m_revision;
+    if (changes.everything || !changes.templates.empty()) ++m_revision;
     if (changes.everything) return rebuild(scene, assets);
     if (!changes.templates.empty()) updateTemplates(scene, assets, changes.templates);
     for (const io::ObjectId id : changes.objects)
@@ -60,12 +97,20 @@ void World::rebuild(const io::Scene& scene, const io::Assets& assets)
     m_flags.clear();
     m_slotOf.clear();
     m_bounds = {};
+    m_tree.clear();
+    m_dirty.clear();
+    m_dirtyFlags.clear();
+    m_selection.clear();
+    m_touched.clear();
+    ++m_revision;
     m_slotOf.reserve(scene.objects().size());
+    m_growing = true;
     for (const io::Object& object : scene.objects())
         updateObject(scene, object.id);
-    m_allDirty = true;
-    m_selection.clear();
-    m_flagsDirty = true;
+    m_growing = false;
+    std::vector<std::uint32_t> slots(m_records.size());
+    std::iota(slots.begin(), slots.end(), 0u);
+    m_tree.build(slots, [&](std::uint32_t slot) { return boxOf(m_cullRecords[slot]); });
 }
 
 void World::readTemplate(const io::Scene& scene, const io::Assets& assets, io::TemplateId id)
@@ -101,7 +146,7 @@ int World::modelOf(io::TemplateId id) const
 void World::updateObject(const io::Scene& scene, io::ObjectId id)
 {
     const io::Object* object = scene.find(id);
-    const bool drawn = object && modelOf(object->templateId) >= 0;
+    const bool drawn = object && modelOf(object->templateId) >= 0 && isFinite(object->transform);
     const auto known = m_slotOf.find(io::number(id));
     if (!drawn) {
         if (known != m_slotOf.end()) remove(known->second);
@@ -110,13 +155,15 @@ void World::updateObject(const io::Scene& scene, io::ObjectId id)
     std::uint32_t slot = 0;
     if (known != m_slotOf.end()) {
         slot = known->second;
+        markPlace(slot);
     } else {
         slot = std::uint32_t(m_records.size());
         m_slotOf.emplace(io::number(id), slot);
         m_records.emplace_back();
         m_cullRecords.emplace_back();
         m_flags.emplace_back();
-        m_flagsDirty = true;
+        m_dirtyFlags.push_back(slot);
+        m_selectionStale = true; // it may be one that was selected before it was away
     }
     place(slot, *object);
 }
@@ -133,22 +180,35 @@ void World::place(std::uint32_t slot, const io::Object& object)
     const std::uint32_t flags = (state.castShadow ? CULL_CASTS_SHADOW : 0) | (state.marker ? CULL_MARKER : 0) |
                                 (isMirrored(object.transform) ? CULL_MIRRORED : 0);
     m_cullRecords[slot] = cullRecord(centre, radius, std::uint32_t(state.model), flags);
-    m_bounds.add(centre - radius);
-    m_bounds.add(centre + radius);
+    const io::WorldBox box = boxOf(m_cullRecords[slot]);
+    m_bounds.add(box);
+    if (!m_growing) m_tree.set(slot, box);
+    markPlace(slot);
     touch(slot);
+}
+
+void World::markPlace(std::uint32_t slot)
+{
+    if (m_growing || m_touched.size() > kFewPlaces) return;
+    if (m_touched.size() == kFewPlaces) ++m_revision;
+    const glsl::CullRecord& record = m_cullRecords[slot];
+    m_touched.emplace_back(record.centre, record.radius);
 }
 
 void World::remove(std::uint32_t slot)
 {
     const auto last = std::uint32_t(m_records.size() - 1);
     m_slotOf.erase(m_records[slot].objectId);
+    markPlace(slot);
+    m_tree.remove(last);
     if (slot != last) { // the last one takes its place, so that the arrays stay dense
         m_records[slot] = m_records[last];
         m_cullRecords[slot] = m_cullRecords[last];
         m_flags[slot] = m_flags[last];
         m_slotOf[m_records[slot].objectId] = slot;
+        m_tree.set(slot, boxOf(m_cullRecords[slot]));
         touch(slot);
-        m_flagsDirty = true;
+        m_dirtyFlags.push_back(slot);
     }
     m_records.pop_back();
     m_cullRecords.pop_back();
@@ -157,64 +217,43 @@ void World::remove(std::uint32_t slot)
 
 void World::touch(std::uint32_t slot)
 {
-    if (!m_allDirty) m_dirty.push_back(slot);
-    if (m_dirty.size() > kScattered) m_allDirty = true;
+    m_dirty.push_back(slot);
+}
+
+void World::setFlags(io::ObjectId id, std::uint32_t flags)
+{
+    const auto known = m_slotOf.find(io::number(id));
+    if (known == m_slotOf.end() || m_flags[known->second] == flags) return;
+    m_flags[known->second] = flags;
+    m_dirtyFlags.push_back(known->second);
 }
 
 void World::select(std::span<const io::ObjectId> ids)
 {
-    if (!m_flagsDirty && std::ranges::equal(ids, m_selection)) return;
+    if (!m_selectionStale && std::ranges::equal(ids, m_selection)) return;
+    m_selectionStale = false;
+    for (const io::ObjectId id : m_selection)
+        setFlags(id, 0);
     m_selection.assign(ids.begin(), ids.end());
-    std::ranges::fill(m_flags, 0u);
-    for (const io::ObjectId id : ids)
-        if (const auto known = m_slotOf.find(io::number(id)); known != m_slotOf.end())
-            m_flags[known->second] = INSTANCE_SELECTED;
-    m_flagsDirty = true;
+    for (const io::ObjectId id : m_selection)
+        setFlags(id, INSTANCE_SELECTED);
 }
 
 void World::upload()
 {
-    uploadRecords();
-    if (m_flagsDirty) uploadFlags();
-    m_flagsDirty = false;
+    gl::grow(m_recordBuffer, "instances", std::max<std::size_t>(m_records.size(), 1) * sizeof(glsl::Instance),
+             m_recordBuffer.bytes());
+    gl::grow(m_flagBuffer, "instance flags", std::max<std::size_t>(m_flags.size(), 1) * sizeof(std::uint32_t),
+             m_flagBuffer.bytes());
+    m_uploadedBytes += writeSlots(m_recordBuffer, std::span<const glsl::Instance>{m_records}, m_dirty);
+    writeSlots(m_flagBuffer, std::span<const std::uint32_t>{m_flags}, m_dirtyFlags);
     m_gpuRecords.instances(m_recordBuffer, m_flagBuffer);
     m_gpuRecords.materials(m_models.materials());
 }
 
-void World::uploadRecords()
-{
-    constexpr std::size_t kRecord = sizeof(glsl::Instance);
-    const std::size_t bytes = std::max<std::size_t>(m_records.size(), 1) * kRecord;
-    if (m_recordBuffer.bytes() < bytes) {
-        gl::grow(m_recordBuffer, "instances", bytes, 0);
-        m_allDirty = true;
-    }
-    const auto write = [&](std::size_t first, std::size_t count) {
-        m_recordBuffer.write(first * kRecord, std::as_bytes(std::span{m_records}.subspan(first, count)));
-        m_uploadedBytes += count * kRecord;
-    };
-    if (m_allDirty) {
-        write(0, m_records.size());
-    } else {
-        std::ranges::sort(m_dirty);
-        m_dirty.erase(std::unique(m_dirty.begin(), m_dirty.end()), m_dirty.end());
-        for (const std::uint32_t slot : m_dirty)
-            if (slot < m_records.size()) write(slot, 1);
-    }
-    m_dirty.clear();
-    m_allDirty = false;
-}
-
-void World::uploadFlags()
-{
-    const std::size_t bytes = std::max<std::size_t>(m_flags.size(), 1) * sizeof(std::uint32_t);
-    gl::grow(m_flagBuffer, "instance flags", bytes, 0);
-    m_flagBuffer.write(0, std::as_bytes(std::span{m_flags}));
-}
-
 DrawList World::draws(GpuStream& stream, const CullRequest& request, bool blended) const
 {
-    cull({.records = m_cullRecords, .models = m_models.cullModels()}, cullView(request, m_cullRecords.size()), m_seen);
+    cull({.records = m_cullRecords, .models = m_models.cullModels(), .tree = &m_tree}, request, m_seen);
     return makeDrawList(stream, {.models = m_models,
                                  .seen = m_seen,
                                  .blended = blended,
@@ -230,8 +269,7 @@ io::WorldBox World::boundsOf(std::span<const io::ObjectId> ids) const
         const auto known = m_slotOf.find(io::number(id));
         if (known == m_slotOf.end()) continue;
         const glsl::CullRecord& record = m_cullRecords[known->second];
-        box.add(glm::dvec3{record.centre} - double(record.radius));
-        box.add(glm::dvec3{record.centre} + double(record.radius));
+        box.add(boxOf(record));
     }
     return box;
 }

@@ -33,7 +33,11 @@ public:
     io::WorldBox boundsOf(std::span<const io::ObjectId> ids) const;
     io::WorldBox bounds() const { return m_bounds; } // at least everything; does not shrink until the next scene
     std::uint64_t uploadedBytes() const { return m_uploadedBytes; } // of instances, since the start
-    std::uint64_t revision() const { return m_revision; }           // counts changes of what is drawn
+    std::uint64_t revision() const { return m_revision; }           // counts changes of what all is drawn with
+
+    // Where something came, went or moved since the last forgetTouched(): spheres, m; few, or else the revision counts.
+    std::span<const glm::dvec4> touched() const { return m_touched; }
+    void forgetTouched() { m_touched.clear(); }
 
 private:
     void rebuild(const io::Scene& scene, const io::Assets& assets);
@@ -44,8 +48,8 @@ private:
     void place(std::uint32_t slot, const io::Object& object);
     void remove(std::uint32_t slot);
     void touch(std::uint32_t slot);
-    void uploadRecords();
-    void uploadFlags();
+    void markPlace(std::uint32_t slot);
+    void setFlags(io::ObjectId id, std::uint32_t flags);
 
     struct TemplateState {
         int model = -1;
@@ -61,10 +65,13 @@ private:
     std::vector<std::uint32_t> m_flags; // INSTANCE_SELECTED
     std::unordered_map<std::uint32_t, std::uint32_t> m_slotOf; // by object id
 
-    std::vector<std::uint32_t> m_dirty; // slots, perhaps more than once
-    bool m_allDirty = false;
-    bool m_flagsDirty = true;
+    io::SceneTree<std::uint32_t> m_tree; // of slots
+    bool m_growing = false;              // the tree is built when all are there
+
+    std::vector<std::uint32_t> m_dirty, m_dirtyFlags; // slots, perhaps more than once
     std::vector<io::ObjectId> m_selection;
+    bool m_selectionStale = false;
+    std::vector<glm::dvec4> m_touched;
     gl::Buffer m_recordBuffer;
     gl::Buffer m_flagBuffer;
     ObjectRecords m_gpuRecords;

@@ -29,13 +29,20 @@ std::uint64_t bytesOf(const TextureDesc& desc)
     return texels * bytesPerTexel(desc.format) * std::max(desc.layers, 1);
 }
 
-// Software GL pays for every sample, so it goes without.
+// Software GL pays for every sample: it goes without anisotropy, and takes the nearest mip.
+bool software()
+{
+    static const bool result = [] {
+        const std::string_view device{reinterpret_cast<const char*>(glGetString(GL_RENDERER))};
+        return device.find("llvmpipe") != device.npos || device.find("softpipe") != device.npos;
+    }();
+    return result;
+}
+
 float anisotropy()
 {
     static const float best = [] {
-        const std::string_view device{reinterpret_cast<const char*>(glGetString(GL_RENDERER))};
-        const bool software = device.find("llvmpipe") != device.npos || device.find("softpipe") != device.npos;
-        if (software || !epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) return 1.0f;
+        if (software() || !epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) return 1.0f;
         GLfloat most = 1;
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
         return std::min(most, 8.0f);
@@ -46,7 +53,8 @@ float anisotropy()
 void setSampling(GLuint id, const TextureDesc& desc)
 {
     const bool linear = desc.filter == GL_LINEAR;
-    const GLenum mipped = linear ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST_MIPMAP_NEAREST;
+    const GLenum smooth = desc.anisotropic && software() ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR;
+    const GLenum mipped = linear ? smooth : GL_NEAREST_MIPMAP_NEAREST;
     glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GLint(desc.mips > 1 ? mipped : desc.filter));
     glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GLint(desc.filter));
     glTextureParameteri(id, GL_TEXTURE_WRAP_S, GLint(desc.wrap));

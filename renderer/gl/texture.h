@@ -21,7 +21,7 @@ struct TextureDesc {
     GLenum filter = GL_LINEAR;   // between mips too, where there are any
     GLenum wrap = GL_CLAMP_TO_EDGE;
     bool compare = false;        // a shadow map: sampled by comparing, lit when nearer or equal
-    bool anisotropic = false;    // where the machine has it and can bear it
+    bool anisotropic = false;    // a surface's: filtered as well as the machine can bear
     float lodBias = 0;           // negative: sharper mips
 };
 

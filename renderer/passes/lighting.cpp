@@ -24,7 +24,7 @@ std::vector<std::string> lightingDefines(const Viewpoint& viewpoint, const Setti
 
 LightingPass::LightingPass(ShaderLibrary& shaders) : m_shaders{shaders}
 {
-    shaders.fullScreen("lighting", {"SHADOWS", "CLOUD_SHADOWS"});
+    shaders.fullScreen("lighting", {"SHADOWS", "CLOUD_SHADOWS", "FOG"});
 }
 
 void LightingPass::resize(const GBuffer& surfaces)
@@ -42,7 +42,9 @@ Radiance& LightingPass::render(GpuFrame& gpu, const GBuffer& surfaces, const Vie
     resize(surfaces);
     m_radiance.framebuffer.bind();
     surfaces.bind(gpu);
-    gpu.fullScreen(m_shaders.fullScreen("lighting", lightingDefines(viewpoint, settings)),
+    std::vector<std::string> defines = lightingDefines(viewpoint, settings);
+    if (viewpoint.light.fogDensity > 0) defines.emplace_back("FOG");
+    gpu.fullScreen(m_shaders.fullScreen("lighting", std::move(defines)),
                    {.depthTest = kWhereSurfacesAre}, {});
     return m_radiance;
 }
@@ -60,20 +62,6 @@ void SkyPass::render(GpuFrame& gpu, Radiance& radiance, const Viewpoint& viewpoi
     if (viewpoint.light.cloudsOn > 0) defines.emplace_back("CLOUDS");
     if (viewpoint.light.skyFloor.g > 0) defines.emplace_back("STARS");
     gpu.fullScreen(m_shaders.fullScreen("sky", std::move(defines)), {.depthTest = kWhereSkyIs}, {});
-}
-
-FogPass::FogPass(ShaderLibrary& shaders)
-    : m_program{shaders.fullScreen("fog")}
-{
-}
-
-void FogPass::render(GpuFrame& gpu, Radiance& radiance, const GBuffer& surfaces, const Viewpoint& viewpoint)
-{
-    if (viewpoint.light.fogDensity <= 0) return;
-    const auto scope = gpu.scope("fog");
-    radiance.framebuffer.bind();
-    surfaces.bind(gpu);
-    gpu.fullScreen(m_program, {.depthTest = kWhereSurfacesAre, .blend = gl::Blend::Over}, {});
 }
 
 } // namespace renderer

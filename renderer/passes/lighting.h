@@ -1,4 +1,4 @@
-// Light on every surface of the GBuffer, the sky behind them, and the haze between: scene-linear radiance.
+// Light on every surface of the GBuffer through the haze before it, and the sky behind: scene-linear radiance.
 #pragma once
 
 #include "renderer/passes/geometry.h"
@@ -33,15 +33,6 @@ public:
 
 private:
     ShaderLibrary& m_shaders;
-};
-
-class FogPass {
-public:
-    explicit FogPass(ShaderLibrary& shaders);
-    void render(GpuFrame& gpu, Radiance& radiance, const GBuffer& surfaces, const Viewpoint& viewpoint);
-
-private:
-    const gl::Program& m_program;
 };
 
 } // namespace renderer

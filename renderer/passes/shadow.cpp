@@ -2,10 +2,22 @@
 
 #include "renderer/shaders/shared/bindings.h"
 
+#include <algorithm>
+
 namespace renderer {
 namespace {
 
 constexpr float kErrorTexels = 1.0f; // how far what casts a shadow may stray from its full model
+
+// Whether something came, went or moved whose shadow may fall into a cascade.
+bool touched(const World& world, const Volume& volume)
+{
+    return std::ranges::any_of(world.touched(), [&](const glm::dvec4& sphere) {
+        return std::ranges::all_of(volume.planes, [&](const glm::dvec4& plane) {
+            return glm::dot(glm::dvec3{plane}, glm::dvec3{sphere}) + plane.w + sphere.w >= 0;
+        });
+    });
+}
 
 } // namespace
 
@@ -54,10 +66,11 @@ const gl::Texture& ShadowPass::render(GpuFrame& gpu, Scenery& scenery, const Vie
                       .terrain = scenery.terrain.revision(),
                       .culling = settings.culling,
                       .lod = settings.lod};
-        if (key == m_keys[i]) continue;
+        if (key == m_keys[i] && !touched(scenery.world, cascade.volume)) continue;
         renderCascade(gpu, scenery, viewpoint, i, settings);
         m_keys[i] = key;
     }
+    scenery.world.forgetTouched();
     gpu.constants(VIEW_BINDING, viewpoint.view);
     gpu.bind({{SHADOW_UNIT, &m_maps}});
     return m_maps;

@@ -37,7 +37,7 @@ SkyTables::SkyTables(ShaderLibrary& shaders)
     : m_transmittanceProgram{shaders.fullScreen("transmittance")}, m_multiScatterProgram{shaders.fullScreen("multi_scatter")},
       m_skyViewProgram{shaders.fullScreen("sky_view")},
       m_skyLightProgram{shaders.program({.label = "sky_light", .stages = {"sky_light.comp.glsl"}})},
-      m_noiseProgram{shaders.fullScreen("noise")},
+      m_noiseProgram{shaders.fullScreen("noise")}, m_cloudMapProgram{shaders.fullScreen("cloud_map")},
       m_transmittance{makeTarget("transmittance", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT})},
       m_multiScatter{makeTarget("multiple scattering", glm::ivec2{MULTI_SCATTER_SIZE})},
       m_skyView{makeTarget("sky view", {SKY_VIEW_WIDTH, SKY_VIEW_HEIGHT})}, m_skyLight{"sky light", sizeof(glsl::SkyLight)}
@@ -46,6 +46,8 @@ SkyTables::SkyTables(ShaderLibrary& shaders)
                                    .size = glm::ivec2{kNoiseSize},
                                    .mips = gl::fullMipCount(glm::ivec2{kNoiseSize}),
                                    .wrap = GL_REPEAT}};
+    m_cloudMap.texture = gl::Texture{{.label = "cloud shadows", .size = glm::ivec2{CLOUD_MAP_SIZE}, .format = GL_R8}};
+    m_cloudMap.framebuffer = gl::Framebuffer{{.label = "cloud shadows", .colours = {&m_cloudMap.texture}}};
     m_noise.framebuffer = gl::Framebuffer{{.label = "noise", .colours = {&m_noise.texture}}};
 }
 
@@ -67,6 +69,16 @@ void SkyTables::update(GpuFrame& gpu, const glsl::Light& light)
         m_sunRadius = light.sunRadius;
     }
     bind(gpu);
+    drawCloudMap(gpu, light);
+}
+
+void SkyTables::drawCloudMap(GpuFrame& gpu, const glsl::Light& light)
+{
+    const glm::vec4 clouds{light.cloudMap.x, light.cloudMap.y, light.cloudEdge, light.cloudWidth};
+    if (light.cloudsOn <= 0 || clouds == m_clouds) return;
+    m_clouds = clouds;
+    m_cloudMap.framebuffer.bind();
+    gpu.fullScreen(m_cloudMapProgram, {}, {});
 }
 
 void SkyTables::drawAirTables(GpuFrame& gpu)
@@ -94,7 +106,8 @@ void SkyTables::bind(GpuFrame& gpu) const
     gpu.bind({{SKY_VIEW_UNIT, &m_skyView.texture},
               {TRANSMITTANCE_UNIT, &m_transmittance.texture},
               {MULTI_SCATTER_UNIT, &m_multiScatter.texture},
-              {NOISE_UNIT, &m_noise.texture}});
+              {NOISE_UNIT, &m_noise.texture},
+              {CLOUD_MAP_UNIT, &m_cloudMap.texture}});
     glBindBufferBase(GL_UNIFORM_BUFFER, SKY_LIGHT_BINDING, m_skyLight.id());
 }
 

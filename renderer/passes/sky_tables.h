@@ -18,6 +18,7 @@ public:
 private:
     void drawAirTables(GpuFrame& gpu);
     void drawSkyView(GpuFrame& gpu);
+    void drawCloudMap(GpuFrame& gpu, const glsl::Light& light);
 
     struct Target {
         gl::Texture texture;
@@ -25,12 +26,14 @@ private:
     };
     static Target makeTarget(std::string_view label, glm::ivec2 size);
 
-    const gl::Program &m_transmittanceProgram, &m_multiScatterProgram, &m_skyViewProgram, &m_skyLightProgram, &m_noiseProgram;
-    Target m_transmittance, m_multiScatter, m_skyView, m_noise;
+    const gl::Program &m_transmittanceProgram, &m_multiScatterProgram, &m_skyViewProgram, &m_skyLightProgram, &m_noiseProgram,
+        &m_cloudMapProgram;
+    Target m_transmittance, m_multiScatter, m_skyView, m_noise, m_cloudMap;
     gl::Buffer m_skyLight;
     glsl::Atmosphere m_air{};        // of the tables as they are
     glm::vec3 m_towardSun{0};
     float m_sunRadius = -1;
+    glm::vec4 m_clouds{-1};          // of the map: its middle, edge and width
     bool m_noiseMade = false;
 };
 

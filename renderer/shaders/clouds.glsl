@@ -22,12 +22,3 @@ float cloudCover(float field)
     float x = clamp(field, 0.0, 1.0);
     return x * x * (3.0 - 2.0 * x);
 }
-
-// Share of the sun that reaches a place under the clouds.
-float cloudShadow(vec3 relative)
-{
-    float climb = light.cloudAltitude - relative.y;
-    vec2 place = light.cloudOrigin + relative.xz + light.towardSun.xz * (climb / max(light.towardSun.y, 0.12));
-    float shade = 1.0 - 0.75 * cloudCover(cloudField(place, 2.0));
-    return light.cloudsOn > 0.0 && climb > 0.0 ? mix(1.0, shade, light.cloudsOn) : 1.0;
-}

@@ -14,6 +14,6 @@ float fogTransmittance(vec3 relative)
 vec3 fogColour(vec3 direction, float distance_)
 {
     vec3 towards = normalize(vec3(direction.x, max(direction.y, 0.015), direction.z));
-    vec3 around = skyIrradiance(vec3(0.0, 0.4, 0.0));
+    vec3 around = skyLight.haze.rgb * light.sunAbove + light.skyFloor * 2.76;
     return mix(skyRadiance(towards), around, 0.65 * exp(-distance_ * (1.0 / 1600.0))) * light.fogTint;
 }

@@ -42,5 +42,9 @@ void main()
         // The cosine lobe, divided by pi: 1, 2/3, 1/4 by order.
         float lobe = column == 0u ? 1.0 : column < 4u ? 2.0 / 3.0 : 0.25;
         skyLight.irradiance[column] = vec4(total * lobe, 0.0);
+        sums[0][column] = total * lobe;
     }
+    barrier();
+    if (column == 0u) // as skyIrradiance() of a direction that is mostly none, (0, 0.4, 0)
+        skyLight.haze = vec4(max(sums[0][0] * 0.282095 + sums[0][1] * (0.4 * 0.488603) - sums[0][6] * 0.315392, vec3(0.0)), 0.0);
 }

@@ -24,15 +24,15 @@ float ramps(float value, vec4 ramp)
 
 // `plane`: metres along the texture; `axisU`, `axisV`: where they point in the world. All of a quad of pixels ask
 // for the same layer and plane, so that mips can come from their differences.
-Cover cover(int index, vec2 plane, vec3 axisU, vec3 axisV, float tiling)
+Cover cover(int index, vec2 plane, vec3 axisU, vec3 axisV, float tiling, const bool foremost)
 {
     TerrainLayer layer = terrain.layer[index];
     vec2 uv = plane * layer.repeats;
     // A second, larger and turned copy breaks the repeats that a single one shows from afar.
     const mat2 turn = mat2(0.7986, 0.6018, -0.6018, 0.7986) * 0.2371;
     vec4 fine = texture(layerColours, vec3(uv, max(layer.colourLayer, 0.0)));
-    vec4 broad = texture(layerColours, vec3(turn * uv, max(layer.colourLayer, 0.0)));
-    vec4 both = mix(fine, broad, tiling);
+    vec4 both = fine;
+    if (foremost) both = mix(fine, texture(layerColours, vec3(turn * uv, max(layer.colourLayer, 0.0))), tiling);
     vec2 bend = texture(layerNormals, vec3(uv, max(layer.normalLayer, 0.0))).xy * 2.0 - 1.0;
     bend = layer.normalLayer < 0.0 ? vec2(0.0) : bend;
     both = layer.colourLayer < 0.0 ? vec4(1.0, 1.0, 1.0, 0.5) : both;
@@ -126,8 +126,8 @@ void main()
 
     float away = log2(length(dFdx(metres)) + length(dFdy(metres))); // of metres a pixel
     float tiling = clamp(0.22 + (far.a - 0.5) * 0.6 + clamp(away * 0.12 + 0.5, 0.0, 0.45), 0.0, 0.8);
-    Cover a = cover(choice.first, plane, axisU, axisV, tiling);
-    Cover b = cover(choice.second, plane, axisU, axisV, tiling);
+    Cover a = cover(choice.first, plane, axisU, axisV, tiling, true);
+    Cover b = cover(choice.second, plane, axisU, axisV, tiling, false);
 
     // The higher texel wins inside the transition.
     float share = choice.secondShare / max(choice.firstShare + choice.secondShare, 1e-4);

@@ -37,6 +37,7 @@
 #define MULTI_SCATTER_UNIT 9
 #define IMAGE_UNIT 10
 #define GROUND_SHADOW_UNIT 11
+#define CLOUD_MAP_UNIT 16
 
 // Records that vertices read are buffer textures: software GL fetches a texel far faster than it reads a storage block.
 #define INSTANCES_UNIT 12

@@ -5,6 +5,8 @@
 #include "shared.h"
 
 #define MAX_CASCADES 4
+#define CLOUD_MAP_SIZE 256       // texels
+#define CLOUD_MAP_METRES 12000.0f
 
 SHARED_BEGIN
 
@@ -24,15 +26,17 @@ struct Light {
     vec2 cloudOrigin;   vec2 cloudWind;       // eye in the tiling cloud field, m; unit
     vec3 sunAtClouds;   float unused;         // irradiance at the height of the clouds
     vec4 groundShadow;                        // to the texture: uv = relative.xz * xy + zw
+    vec4 cloudMap;                            // middle of the map of cloud shadows in the field, m; uv of the eye's shadow
     Atmosphere atmosphere;
 };
-SHARED_STRUCT_END(Light, 512)
+SHARED_STRUCT_END(Light, 528)
 
 // What the sky gives to surfaces, integrated on the GPU when the sky changes.
 struct SkyLight {
     vec4 irradiance[9]; // spherical harmonics of irradiance / pi, per unit of sun irradiance
+    vec4 haze;          // what haze near the eye scatters, likewise
 };
-SHARED_STRUCT_END(SkyLight, 144)
+SHARED_STRUCT_END(SkyLight, 160)
 
 SHARED_END
 #endif
