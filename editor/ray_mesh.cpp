@@ -28,6 +28,8 @@ RayMesh::RayMesh(RTCDevice device, std::shared_ptr<const io::Model> model)
         rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, source.indices.data(),
                                    part.firstIndex * sizeof(std::uint32_t), 3 * sizeof(std::uint32_t),
                                    part.indexCount / 3);
+        if (material.alphaMode != io::AlphaMode::Opaque)
+            rtcSetGeometryIntersectFilterFunction(geometry.get(), filterHit);
         rtcSetGeometryUserData(geometry.get(), &m_parts.back());
         rtcCommitGeometry(geometry.get());
         rtcAttachGeometryByID(m_scene.get(), geometry.get(), unsigned(m_parts.size() - 1));

@@ -6,6 +6,16 @@
 
 namespace editor {
 
+// A hit that Embree offers.
+struct RayTile::Candidate {
+    std::uint32_t instance = 0; // as Embree numbers it
+    const PartOfModel* part = nullptr;
+    std::size_t triangle = 0;
+    glm::vec2 at{0};        // barycentric
+    glm::vec3 direction{0}; // of the ray, in the model's own space
+    float distance = 0;     // m, from where Embree's ray begins
+};
+
 struct RayTile::Context : RTCIntersectContext {
     const RayQuery* query = nullptr;
     const RayInstance* instances = nullptr;
@@ -52,40 +62,60 @@ void RayTile::build(RTCDevice device, std::span<const RayInstance> instances, co
     m_stale = false;
 }
 
-// Rejects hits that nobody sees: back faces, holes in leaves, what is gone, and what the caller skips.
-void RayTile::filter(const RTCFilterFunctionNArguments* arguments)
+// Whether anybody sees a hit: back faces, holes in leaves, what is gone, and what the caller skips do not count.
+bool RayTile::seen(const Context& context, const Candidate& hit)
+{
+    const RayQuery& query = *context.query;
+    const Built& built = context.built[hit.instance];
+    const RayInstance& instance = context.instances[built.place];
+    if (instance.version != built.version) return false;
+    if (!query.skip.empty() && std::ranges::binary_search(query.skip, instance.id)) return false;
+    const PartOfModel& part = *hit.part;
+    const std::size_t first = part.firstIndex + 3 * hit.triangle;
+    if (!part.material->doubleSided) {
+        const glm::vec3 a = corner(*part.model, first);
+        const glm::vec3 normal = glm::cross(corner(*part.model, first + 1) - a, corner(*part.model, first + 2) - a);
+        if (!(glm::dot(normal, hit.direction) < 0)) return false;
+    }
+    if (part.material->alphaMode == io::AlphaMode::Opaque) return true;
+    PixelSteps steps{};
+    if (query.pixelWidth > 0 && part.mips) {
+        const glm::vec3 a = corner(*part.model, first);
+        steps = pixelSteps(built.linear * (corner(*part.model, first + 1) - a),
+                           built.linear * (corner(*part.model, first + 2) - a), context.direction,
+                           query.pixelWidth * (context.start + hit.distance));
+    }
+    return seenAt(part, hit.triangle, hit.at, steps);
+}
+
+void filterHit(const RTCFilterFunctionNArguments* arguments)
 {
     EXPECTS(arguments->N == 1);
     if (arguments->valid[0] != -1) return;
-    const auto& context = *static_cast<const Context*>(arguments->context);
-    const RayQuery& query = *context.query;
-    const Built& built = context.built[context.instID[0]];
-    const RayInstance& instance = context.instances[built.place];
-    const auto& part = *static_cast<const PartOfModel*>(arguments->geometryUserPtr);
-    const std::size_t triangle = RTCHitN_primID(arguments->hit, 1, 0);
-    const std::size_t first = part.firstIndex + 3 * triangle;
-
-    bool seen = instance.version == built.version && !std::ranges::binary_search(query.skip, instance.id);
-    if (seen && !part.material->doubleSided) {
-        // Inside an instance Embree holds the ray in the model's own space.
-        const glm::vec3 direction{RTCRayN_dir_x(arguments->ray, 1, 0), RTCRayN_dir_y(arguments->ray, 1, 0),
-                                  RTCRayN_dir_z(arguments->ray, 1, 0)};
-        const glm::vec3 a = corner(*part.model, first);
-        const glm::vec3 normal = glm::cross(corner(*part.model, first + 1) - a, corner(*part.model, first + 2) - a);
-        seen = glm::dot(normal, direction) < 0;
-    }
-    if (seen && part.material->alphaMode != io::AlphaMode::Opaque) {
-        PixelSteps steps{};
-        if (query.pixelWidth > 0 && part.mips) {
-            const glm::vec3 a = corner(*part.model, first);
-            const float distance = context.start + RTCRayN_tfar(arguments->ray, 1, 0);
-            steps = pixelSteps(built.linear * (corner(*part.model, first + 1) - a),
-                               built.linear * (corner(*part.model, first + 2) - a), context.direction,
-                               query.pixelWidth * distance);
-        }
-        seen = seenAt(part, triangle, {RTCHitN_u(arguments->hit, 1, 0), RTCHitN_v(arguments->hit, 1, 0)}, steps);
-    }
+    const auto& context = *static_cast<const RayTile::Context*>(arguments->context);
+    RTCHitN* hit = arguments->hit;
+    RTCRayN* ray = arguments->ray; // Inside an instance Embree holds the ray in the model's own space.
+    const bool seen = RayTile::seen(
+        context, {.instance = context.instID[0],
+                  .part = static_cast<const PartOfModel*>(arguments->geometryUserPtr),
+                  .triangle = RTCHitN_primID(hit, 1, 0),
+                  .at = {RTCHitN_u(hit, 1, 0), RTCHitN_v(hit, 1, 0)},
+                  .direction = {RTCRayN_dir_x(ray, 1, 0), RTCRayN_dir_y(ray, 1, 0), RTCRayN_dir_z(ray, 1, 0)},
+                  .distance = RTCRayN_tfar(ray, 1, 0)});
     if (!seen) arguments->valid[0] = 0;
+}
+
+// The same of a hit that was answered without asking, where holes in leaves were looked at already.
+bool RayTile::stands(const Context& context, const RTCRayHit& hit)
+{
+    const Built& built = context.built[hit.hit.instID[0]];
+    const PartOfModel& part = built.mesh->part(hit.hit.geomID);
+    if (context.instances[built.place].version != built.version) return false;
+    if (part.material->doubleSided) return true;
+    const std::size_t first = part.firstIndex + std::size_t(3) * hit.hit.primID;
+    const glm::vec3 a = corner(*part.model, first);
+    const glm::vec3 normal = glm::cross(corner(*part.model, first + 1) - a, corner(*part.model, first + 2) - a);
+    return glm::dot(normal, glm::inverse(built.linear) * context.direction) < 0;
 }
 
 bool RayTile::hit(const RayQuery& query, std::span<const RayInstance> instances, double entry, double reach,
@@ -97,7 +127,6 @@ bool RayTile::hit(const RayQuery& query, std::span<const RayInstance> instances,
     const glm::vec3 origin{query.ray.origin + query.ray.direction * start - m_anchor};
     Context context;
     rtcInitIntersectContext(&context);
-    context.filter = filter;
     context.query = &query;
     context.instances = instances.data();
     context.built = m_built.data();
@@ -118,13 +147,23 @@ bool RayTile::hit(const RayQuery& query, std::span<const RayInstance> instances,
                  .flags = 0};
     asked.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     asked.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(m_scene.get(), &context, &asked);
-    if (asked.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-    const Built& built = m_built[asked.hit.instID[0]];
-    found = {.distance = start + double(asked.ray.tfar),
+    // Most nearest hits are seen, and Embree is far quicker when it need not ask at each; parts with holes ask anyway.
+    RTCRayHit hit = asked;
+    if (query.skip.empty()) {
+        rtcIntersect1(m_scene.get(), &context, &hit);
+        if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+    }
+    if (!query.skip.empty() || !stands(context, hit)) {
+        hit = asked;
+        context.filter = filterHit;
+        rtcIntersect1(m_scene.get(), &context, &hit);
+        if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+    }
+    const Built& built = m_built[hit.hit.instID[0]];
+    found = {.distance = start + double(hit.ray.tfar),
              .place = built.place,
-             .part = &built.mesh->part(asked.hit.geomID),
-             .triangle = asked.hit.primID};
+             .part = &built.mesh->part(hit.hit.geomID),
+             .triangle = hit.hit.primID};
     return true;
 }
 

@@ -64,8 +64,11 @@ private:
         const RayMesh* mesh;
         glm::mat3 linear; // of the transform
     };
+    struct Candidate;
     struct Context;
-    static void filter(const RTCFilterFunctionNArguments* arguments);
+    friend void filterHit(const RTCFilterFunctionNArguments* arguments);
+    static bool seen(const Context& context, const Candidate& hit);
+    static bool stands(const Context& context, const RTCRayHit& hit);
 
     EmbreeScene m_scene;
     std::vector<Built> m_built;

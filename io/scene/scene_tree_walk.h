@@ -73,7 +73,7 @@ void SceneTree<Value>::byDistance(double reach, const Measure& measure, Visit& v
     if (size() == 0) return;
     const auto later = [](const Step& a, const Step& b) { return a.key() > b.key(); };
     std::vector<Step> heap;
-    heap.reserve(128);
+    heap.reserve(40); // small enough for malloc's quick lists
     const auto offer = [&](const Box& box, std::uint32_t node, std::uint32_t item) {
         const double at = measure(box);
         if (!(at <= reach) || at == SlabTest::kMiss) return;
