@@ -8,6 +8,11 @@
 namespace renderer {
 namespace {
 
+// How far the quad stands before the centre, of the bounds' depth: clear of the ground around its foot, and in as much
+// of its own shadow as what it shows. One sees into a crown, but not into a rock.
+constexpr float kForwardOfLeaves = 0.32f;
+constexpr float kForwardOfSolids = 0.75f;
+
 gl::Texture makeArray(std::string_view label, int layers)
 {
     return gl::Texture{{.label = label,
@@ -62,17 +67,18 @@ std::array<PackedVertex, 4> impostorQuad(const ImpostorShape& shape)
 {
     const auto half = [](float value) { return std::uint32_t(std::lround(glm::clamp(value, 0.0f, 1.0f) * 32767)); };
     const glm::vec3 extent = glm::ceil(glm::clamp(shape.extent / shape.radius, 0.0f, 1.0f) * 255.0f);
+    const float forward = (shape.leaves > 0.3f ? kForwardOfLeaves : kForwardOfSolids) * 255;
     std::array<PackedVertex, 4> quad;
     for (int i = 0; i < 4; ++i)
         quad[std::size_t(i)] = {.position = shape.centre,
                                 .normal = half(shape.leafRoughness) | half(shape.roughness) << 16,
-                                .colour = glm::u8vec4{extent, 255},
+                                .colour = glm::u8vec4{extent, forward},
                                 .uv0 = glm::vec2{i & 1 ? 1 : -1, i & 2 ? 1 : -1},
                                 .uv1 = {shape.radius, float(shape.layer)}};
     return quad;
 }
 
-void measureRoughness(const io::Model& model, ImpostorShape& shape)
+void measureSurface(const io::Model& model, ImpostorShape& shape)
 {
     double sums[2] = {}, weights[2] = {};
     for (const io::Part& part : model.parts) {
@@ -84,6 +90,7 @@ void measureRoughness(const io::Model& model, ImpostorShape& shape)
     }
     if (weights[0] > 0) shape.roughness = float(sums[0] / weights[0]);
     if (weights[1] > 0) shape.leafRoughness = float(sums[1] / weights[1]);
+    if (weights[1] > 0) shape.leaves = float(weights[1] / (weights[0] + weights[1]));
 }
 
 } // namespace renderer

@@ -42,11 +42,12 @@ struct ImpostorShape {
     float radius = 0;
     glm::vec3 extent{0}; // half the bounds, m
     float leafRoughness = 1, roughness = 1;
+    float leaves = 0;    // share of the surface
     int layer = 0;
 };
 std::array<PackedVertex, 4> impostorQuad(const ImpostorShape& shape);
 
-// Means over the surface of a model's leaves, and of the rest.
-void measureRoughness(const io::Model& model, ImpostorShape& shape);
+// Roughness and leaves, of all parts.
+void measureSurface(const io::Model& model, ImpostorShape& shape);
 
 } // namespace renderer

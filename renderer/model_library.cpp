@@ -219,7 +219,7 @@ void ModelLibrary::addImpostor(const io::Model& model, ModelEntry& entry)
                         .radius = entry.radius,
                         .extent = entry.bounds.size() / 2.0f,
                         .layer = m_impostors.add(size())};
-    measureRoughness(model, shape);
+    measureSurface(model, shape);
     const auto firstVertex = std::uint32_t(m_vertexCount + m_newVertices.size());
     const ModelPart quad{.firstIndex = std::uint32_t(m_indexCount + m_newIndices.size()),
                          .indexCount = 6,

@@ -22,7 +22,7 @@ layout(location = 10) flat in uvec2 ids;
 layout(location = 11) flat in vec4 misc;
 
 const float kEdge = 1.0 / float(IMPOSTOR_FRAME_TEXELS);
-const float kSpread = 0.6; // of the covers that pass: 0 keeps those above a half, 1 keeps the mean and is all grain
+const float kSpread = 0.3; // of the covers that pass: 0 keeps those above a half, 1 keeps the mean and is all grain
 
 vec4 colour = vec4(0.0);
 vec4 surface = vec4(0.0);
@@ -30,7 +30,7 @@ vec4 surface = vec4(0.0);
 void add(vec2 place, vec2 frame, vec2 shift, float weight)
 {
     place = clamp(place, kEdge, 1.0 - kEdge);
-    int mip = int(frame2.w);
+    int mip = min(int(frame2.w) + 2, IMPOSTOR_MIPS - 1); // depth around, also where nothing is
     vec2 texels = vec2((IMPOSTOR_FRAME_TEXELS * IMPOSTOR_FRAMES) >> mip);
     vec4 there = texelFetch(surfaces, ivec3((frame + place) * (texels / float(IMPOSTOR_FRAMES)), frame2.z), mip);
     place = clamp(place + shift * storedDepth(there), kEdge, 1.0 - kEdge);

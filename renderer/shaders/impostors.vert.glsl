@@ -7,7 +7,8 @@
 
 layout(location = 0) in vec3 inCentre;    // m
 layout(location = 1) in vec2 inRoughness; // of leaves and of the rest
-layout(location = 3) in vec4 inExtent;    // half the bounds' size, of the radius
+layout(location = 3) in vec4 inExtent;    // half the bounds' size, of the radius; how much of their depth the quad stands before
+                                          // the centre
 layout(location = 4) in vec2 inCorner;    // -1 or 1
 layout(location = 5) in vec2 inPlace;     // radius in m, layer
 layout(location = 7) in uint inInstance;
@@ -35,9 +36,7 @@ layout(location = 10) flat out uvec2 ids;    // object, flags
 layout(location = 11) flat out vec4 misc;    // roughness of leaves and of the rest, a pixel that moves along
 #endif
 
-const float kForward = 0.75;   // of the bounds' depth by which the quad stands before the centre: clear of the ground
-                               // around its foot, and of its own shadow
-const float kSteepest = 0.7;   // tangent of the angle from below beyond which it is seen as from there
+const float kSteepest = 0.7; // tangent of the angle from below beyond which it is seen as from there
 
 void main()
 {
@@ -57,7 +56,7 @@ void main()
     vec2 extent = vec2(dot(abs(right), inExtent.xyz), dot(abs(up), inExtent.xyz)) * (distance_ / (distance_ - 1.0));
     vec3 corner = right * (inCorner.x * extent.x) + up * (inCorner.y * extent.y);
     vec3 ray = corner - towardEye * distance_;
-    float forward = kForward * dot(abs(towardEye), inExtent.xyz);
+    float forward = inExtent.w * dot(abs(towardEye), inExtent.xyz);
     vec3 place = corner - ray * (forward / distance_);
     gl_Position = view.clipFromRelative * vec4(origin + model * (inCentre + place * radius), 1.0);
 #ifdef LEVELS
