@@ -7,8 +7,10 @@
 #include "editor/script_commands.h"
 #include "io/files/atomic_file.h"
 #include "io/files/json.h"
+#include "io/files/text.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
 
@@ -62,7 +64,7 @@ Picked pickAll(const editor::Document& document, const editor::View& view, std::
     editor::Picker picker;
     auto start = std::chrono::steady_clock::now();
     picker.update(document.scene(), document.assets(), {.everything = true});
-    picker.pick(view, glm::dvec2{view.size} * 0.5); // the index over all objects is made with the first ray
+    picker.prepare();
     picked.buildSeconds = secondsSince(start);
 
     picked.hits.reserve(points.size());
@@ -71,6 +73,41 @@ Picked pickAll(const editor::Document& document, const editor::View& view, std::
         picked.hits.push_back(picker.pick(view, point));
     picked.seconds = secondsSince(start);
     return picked;
+}
+
+void append(std::string& text, std::string_view key, const glm::dvec3& v)
+{
+    text += key;
+    for (int axis = 0; axis < 3; ++axis) {
+        io::appendNumber(text, v[axis]);
+        text += axis < 2 ? ',' : ']';
+    }
+}
+
+// A line for each, as editor::describe() words it; written straight, as there may be a million.
+std::string answers(std::span<const editor::PickHit> hits, const io::Scene& scene)
+{
+    std::string text;
+    text.reserve(hits.size() * 200);
+    for (const editor::PickHit& hit : hits) {
+        if (!hit || !std::isfinite(glm::dot(hit.position, hit.normal))) {
+            text += io::writeJson(editor::describe(hit, scene)) + '\n';
+            continue;
+        }
+        const bool object = hit.surface == editor::Surface::Object;
+        text += object ? R"({"surface":"object","id":)" : R"({"surface":"terrain")";
+        if (object) {
+            io::appendNumber(text, double(io::number(hit.id)));
+            text += R"(,"template":)";
+            io::appendString(text, scene.templateName(hit.templateId));
+        }
+        append(text, R"(,"position":[)", hit.position);
+        append(text, R"(,"normal":[)", hit.normal);
+        text += R"(,"distance":)";
+        io::appendNumber(text, hit.distance);
+        text += "}\n";
+    }
+    return text;
 }
 
 } // namespace
@@ -86,8 +123,8 @@ int pick(const Options& options)
     if (!camera) return fault(camera.error());
 
     const Picked picked = pickAll(*document, {.camera = *camera, .size = options.size}, *points);
-    for (const editor::PickHit& hit : picked.hits)
-        std::puts(io::writeJson(editor::describe(hit, document->scene())).c_str());
+    const std::string text = answers(picked.hits, document->scene());
+    std::fwrite(text.data(), 1, text.size(), stdout);
     const io::Value figures =
         io::Value::Object{{"rays", std::uint64_t(points->size())},
                           {"seconds", picked.seconds},
