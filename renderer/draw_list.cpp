@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstring>
 #include <tuple>
 
 namespace renderer {
@@ -163,6 +164,21 @@ std::uint64_t instancesIn(std::span<const Seen> seen)
         seen, [](const Seen& one) { return (one.drawn >> DRAWN_FADE_SHIFT) < DRAWN_FADE_OTHERS; }));
 }
 
+// Software GL reads an attribute of an instance many times faster than it fetches a record for each vertex, and a view
+// draws few of all instances.
+GpuStream::Piece copies(GpuStream& stream, std::span<const glsl::Instance> instances, std::span<const std::uint32_t> drawn)
+{
+    const GpuStream::Piece piece = stream.take(drawn.size() * sizeof(glsl::Instance));
+    std::byte* to = piece.bytes.data();
+    for (const std::uint32_t one : drawn) {
+        glsl::Instance copy = instances[one & DRAWN_SLOT_MASK];
+        copy.drawn = (copy.drawn & DRAWN_FLAGS_MASK) | (one & ~DRAWN_SLOT_MASK);
+        std::memcpy(to, &copy, sizeof copy);
+        to += sizeof copy;
+    }
+    return piece;
+}
+
 } // namespace
 
 DrawList makeDrawList(GpuStream& stream, const DrawSource& source)
@@ -181,7 +197,7 @@ DrawList makeDrawList(GpuStream& stream, const DrawSource& source)
         for (const BlendedPart& part : blendedParts(source, bins))
             writer.add(list.blended, part.part->batch, kinds[part.bin], commandOf(*part.part, 1, part.index));
     if (commands.empty()) return list;
-    list.instances = stream.put(std::span<const std::uint32_t>{bins.drawn});
+    list.instances = copies(stream, source.instances, bins.drawn);
     list.commands = stream.put(std::span<const DrawCommand>{commands});
     return list;
 }
@@ -196,7 +212,11 @@ gl::VertexArray makeObjectVertexArray()
     array.attribute(4, 0, 2, GL_FLOAT, offsetof(PackedVertex, uv0));
     array.attribute(5, 0, 2, GL_FLOAT, offsetof(PackedVertex, uv1));
     array.integers(6, 0, 1, GL_UNSIGNED_INT, offsetof(PackedVertex, material));
-    array.integers(7, 1, 1, GL_UNSIGNED_INT, 0);
+    array.integers(7, 1, 4, GL_UNSIGNED_INT, offsetof(glsl::Instance, positionHigh));
+    array.integers(8, 1, 4, GL_UNSIGNED_INT, offsetof(glsl::Instance, positionLow));
+    array.attribute(9, 1, 3, GL_FLOAT, offsetof(glsl::Instance, axisX));
+    array.attribute(10, 1, 3, GL_FLOAT, offsetof(glsl::Instance, axisY));
+    array.attribute(11, 1, 3, GL_FLOAT, offsetof(glsl::Instance, axisZ));
     array.perInstance(1);
     return array;
 }

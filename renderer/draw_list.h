@@ -4,6 +4,7 @@
 #include "renderer/cull.h"
 #include "renderer/gpu_frame.h"
 #include "renderer/model_library.h"
+#include "renderer/shaders/shared/instance.h"
 
 #include <array>
 #include <optional>
@@ -28,7 +29,7 @@ struct DrawRange {
 };
 
 struct DrawList {
-    GpuStream::Piece instances; // as shared/drawn.h packs them
+    GpuStream::Piece instances; // copies of their records
     GpuStream::Piece commands;
     std::vector<DrawRange> opaque;  // masked too
     std::vector<DrawRange> blended; // back to front
@@ -39,6 +40,7 @@ struct DrawList {
 struct DrawSource {
     const ModelLibrary& models;
     std::span<const Seen> seen;
+    std::span<const glsl::Instance> instances;      // by slot
     bool blended = true;                            // blended parts too
     std::span<const glsl::CullRecord> records = {}; // to sort by distance; none: drawn as they come
     glm::dvec3 eye{0};
@@ -46,7 +48,7 @@ struct DrawSource {
 };
 DrawList makeDrawList(GpuStream& stream, const DrawSource& source);
 
-// Vertices by binding 0, the instance list by binding 1, as objects.vert.glsl reads them.
+// Vertices by binding 0, instances by binding 1, as objects.vert.glsl and records.glsl read them.
 gl::VertexArray makeObjectVertexArray();
 
 // Draws ranges with the program and state that `prepare(range)` sets; it answers false to leave a range out.
@@ -57,7 +59,7 @@ void drawRanges(GpuFrame& gpu, gl::VertexArray& array, const ModelLibrary& model
     if (ranges.empty()) return;
     array.source(0, models.vertices(), 0, sizeof(PackedVertex));
     array.indices(models.indices());
-    array.source(1, list.instances.buffer, list.instances.offset, sizeof(std::uint32_t));
+    array.source(1, list.instances.buffer, list.instances.offset, sizeof(glsl::Instance));
     glBindVertexArray(array.id());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, list.commands.buffer);
     for (const DrawRange& range : ranges) {

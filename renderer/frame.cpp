@@ -71,7 +71,7 @@ GeometryPass::Drawn Renderer::State::choose(GpuFrame& gpu, const FrameInput& in,
     const auto scope = gpu.scope("cull");
     const Eye& eye = viewpoint.eye;
     const std::optional<Volume> volume = in.settings.culling ? std::optional{volumeOf(eye)} : std::nullopt;
-    scenery.world.bind();
+    scenery.world.models().bindMaterials();
     scenery.terrain.aim(eye);
     GeometryPass::Drawn drawn;
     drawn.objects = scenery.world.draws(gpu.stream(),

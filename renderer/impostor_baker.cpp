@@ -10,7 +10,7 @@ namespace {
 constexpr int kSide = IMPOSTOR_FRAMES * IMPOSTOR_FRAME_TEXELS; // texels
 constexpr int kFrames = IMPOSTOR_FRAMES * IMPOSTOR_FRAMES;
 constexpr std::uint32_t kMostIndices = 3 * 4000; // of the level that is taken, where there is a choice
-constexpr unsigned kAllFeatures = kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap;
+constexpr unsigned kAllFeatures = kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap | kFeatureUvTransform;
 
 // The finest mesh that does not cost more than its picture shows.
 int bakedLevel(const ModelEntry& model)
@@ -99,15 +99,11 @@ void ImpostorBaker::bake(GpuFrame& gpu, const ModelLibrary& models, int model)
 {
     const ModelEntry& entry = models.entry(model);
     const std::vector<glsl::Instance> instances = copies(entry);
-    const std::vector<std::uint32_t> flags(instances.size(), 0);
-    m_records.instances(gpu.stream().put(std::span<const glsl::Instance>{instances}),
-                        gpu.stream().put(std::span<const std::uint32_t>{flags}));
-    m_records.materials(models.materials());
-    m_records.bind();
+    models.bindMaterials();
     std::vector<Seen> seen;
     for (std::uint32_t i = 0; i < kFrames; ++i)
         seen.push_back({i, binIndex(entry, bakedLevel(entry), false, false)});
-    const DrawList list = makeDrawList(gpu.stream(), {.models = models, .seen = seen});
+    const DrawList list = makeDrawList(gpu.stream(), {.models = models, .seen = seen, .instances = instances});
 
     const gl::Framebuffer& target = m_sheets[0].framebuffer;
     target.clearColour(0, glm::vec4{0});

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "renderer/impostors.h"
-#include "renderer/object_records.h"
 #include "renderer/passes/object_programs.h"
 #include "renderer/shaders/shared/impostor.h"
 
@@ -28,7 +27,6 @@ private:
     ObjectPrograms m_programs;
     const gl::Program& m_shrink;
     gl::VertexArray m_objects;
-    ObjectRecords m_records;
     gl::Texture m_depth;
     std::array<Sheet, IMPOSTOR_MIPS + 1> m_sheets; // the first is twice as large as what is kept
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/packing.hpp>
 
 namespace renderer {
 namespace {
@@ -36,6 +37,15 @@ glsl::CullModel cullModelOf(const ModelEntry& entry)
     return model;
 }
 
+void addQuickWords(glsl::Material& to)
+{
+    const auto layer = [&](int unit) { return std::uint32_t(to.textures[unit].layer) & 0xffffu; };
+    to.quick = {glm::packUnorm2x16({to.baseColour.r, to.baseColour.g}), glm::packUnorm2x16({to.baseColour.b, to.baseColour.a}),
+                layer(BASE_COLOUR_UNIT) | layer(NORMAL_UNIT) << 16, to.flags};
+    to.quick2 = {glm::packUnorm2x16({to.roughness, to.metallic}),
+                 glm::packUnorm2x16({to.alphaCutoff, to.normalScale / MATERIAL_MOST_SCALE}), 0, 0};
+}
+
 const io::Material& materialOf(const io::Model& model, const io::Part& part)
 {
     static const io::Material kPlain{.metallic = 0, .roughness = 0.8f};
@@ -63,10 +73,11 @@ std::vector<std::string> definesOf(unsigned features)
     if (features & kFeatureNormalMap) defines.emplace_back("NORMAL_MAP");
     if (features & kFeatureSurfaceMaps) defines.emplace_back("SURFACE_MAPS");
     if (features & kFeatureWrap) defines.emplace_back("WRAP");
+    if (features & kFeatureUvTransform) defines.emplace_back("UV_TRANSFORM");
     return defines;
 }
 
-ModelLibrary::ModelLibrary()
+ModelLibrary::ModelLibrary() : m_materialTexels{"materials", GL_RGBA32UI}
 {
     clear();
 }
@@ -88,6 +99,7 @@ void ModelLibrary::clear()
     m_vertexBuffer = gl::Buffer{"vertices", sizeof(PackedVertex) * 1024};
     m_indexBuffer = gl::Buffer{"indices", sizeof(std::uint32_t) * 4096};
     m_materialBuffer = gl::Buffer{"materials", sizeof(glsl::Material) * 16};
+    m_materialTexels.source(m_materialBuffer.id(), 0, m_materialBuffer.bytes());
 }
 
 int ModelLibrary::batchOf(const Batch& batch)
@@ -109,6 +121,8 @@ glsl::MaterialTexture ModelLibrary::addTexture(const io::Model& model, const io:
     const bool known = std::size_t(use.image) < model.images.size();
     const TextureLayer layer = m_textures.add(known ? model.images[std::size_t(use.image)] : nullptr, space, cutoff);
     batch.arrays[std::size_t(unit)] = layer.array;
+    const bool moved = use.offset != glm::vec2{0} || use.scale != glm::vec2{1} || use.rotation != 0;
+    if (moved || use.uvSet == 1) batch.features |= kFeatureUvTransform;
     if (use.wrapU != io::Wrap::Repeat || use.wrapV != io::Wrap::Repeat) batch.features |= kFeatureWrap;
 
     // Counter-clockwise on the image, whose v runs down.
@@ -153,6 +167,7 @@ std::uint32_t ModelLibrary::addMaterial(const io::Model& model, const io::Part& 
         to.textures[unit] = addTexture(model, *uses[unit], colour ? ColourSpace::Srgb : ColourSpace::Linear,
                                        unit == BASE_COLOUR_UNIT ? cutoff : -1.0f, unit, batch);
     }
+    addQuickWords(to);
     m_newMaterials.push_back(to);
     return std::uint32_t(m_materialCount + m_newMaterials.size() - 1);
 }
@@ -264,6 +279,12 @@ void ModelLibrary::upload()
     append(m_vertexBuffer, "vertices", m_newVertices, m_vertexCount);
     append(m_indexBuffer, "indices", m_newIndices, m_indexCount);
     append(m_materialBuffer, "materials", m_newMaterials, m_materialCount);
+    m_materialTexels.source(m_materialBuffer.id(), 0, m_materialBuffer.bytes());
+}
+
+void ModelLibrary::bindMaterials() const
+{
+    glBindTextureUnit(MATERIALS_UNIT, m_materialTexels.id());
 }
 
 } // namespace renderer

@@ -26,6 +26,7 @@ enum Feature : unsigned {
     kFeatureSurfaceMaps = 4, // roughness, metallic, occlusion or emission from textures, or emission at all
     kFeatureWrap = 8,       // a texture that does not repeat
     kFeatureImpostor = 16,  // a quad with pictures of the model, drawn by programs of its own
+    kFeatureUvTransform = 32, // a texture that is moved, scaled or turned, or uses the second coordinates
 };
 std::vector<std::string> definesOf(unsigned features);
 
@@ -87,7 +88,7 @@ public:
     void upload(); // what was added since the last call
     GLuint vertices() const { return m_vertexBuffer.id(); }
     GLuint indices() const { return m_indexBuffer.id(); }
-    const gl::Buffer& materials() const { return m_materialBuffer; }
+    void bindMaterials() const;
 
 private:
     int batchOf(const Batch& batch);
@@ -124,6 +125,7 @@ private:
     std::vector<glsl::Material> m_newMaterials;
     std::size_t m_vertexCount = 0, m_indexCount = 0, m_materialCount = 0;
     gl::Buffer m_vertexBuffer, m_indexBuffer, m_materialBuffer;
+    gl::BufferTexture m_materialTexels;
 };
 
 } // namespace renderer

@@ -8,7 +8,7 @@
 namespace renderer {
 namespace {
 
-constexpr unsigned kAllFeatures = kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap;
+constexpr unsigned kAllFeatures = kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap | kFeatureUvTransform;
 constexpr float kFov = 28;   // degrees
 constexpr float kYaw = 32;   // degrees, to the right of the model's front
 constexpr float kPitch = -16;
@@ -112,7 +112,7 @@ void Thumbnails::drawModel(GpuFrame& gpu, const World& world, io::TemplateId id)
     const ModelLibrary& models = world.models();
     Ghost only{.templateId = id};
     only.transform.scale = glm::vec3{scaleFor(models.entry(world.modelOf(id)))};
-    const DrawList list = m_model.bind(gpu, world, {&only, 1});
+    const DrawList list = drawsOf(gpu, world, {&only, 1});
     for (const std::span<const DrawRange> ranges : {std::span{list.opaque}, std::span{list.blended}})
         drawRanges(gpu, m_objects, models, list, ranges, [&](const DrawRange& range) {
             const Batch& batch = models.batches()[std::size_t(range.batch)];

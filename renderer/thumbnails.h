@@ -31,7 +31,6 @@ private:
     ObjectPrograms m_programs;
     const gl::Program &m_backdrop, &m_develop;
     gl::VertexArray m_objects;
-    PassingObjects m_model;
     gl::Texture m_colour, m_depth; // twice the size of the picture, for smooth edges
     gl::Framebuffer m_framebuffer;
     gl::Buffer m_skyLight;

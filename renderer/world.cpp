@@ -94,12 +94,10 @@ void World::rebuild(const io::Scene& scene, const io::Assets& assets)
 
     m_records.clear();
     m_cullRecords.clear();
-    m_flags.clear();
     m_slotOf.clear();
     m_bounds = {};
     m_tree.clear();
     m_dirty.clear();
-    m_dirtyFlags.clear();
     m_selection.clear();
     m_touched.clear();
     ++m_revision;
@@ -161,8 +159,6 @@ void World::updateObject(const io::Scene& scene, io::ObjectId id)
         m_slotOf.emplace(io::number(id), slot);
         m_records.emplace_back();
         m_cullRecords.emplace_back();
-        m_flags.emplace_back();
-        m_dirtyFlags.push_back(slot);
         m_selectionStale = true; // it may be one that was selected before it was away
     }
     place(slot, *object);
@@ -172,14 +168,16 @@ void World::place(std::uint32_t slot, const io::Object& object)
 {
     const TemplateState& state = m_templates[io::number(object.templateId) - 1];
     const ModelEntry& model = m_models.entry(state.model);
+    const std::uint32_t flags = m_records[slot].drawn;
     m_records[slot] = instanceOf(object.transform, object.id);
+    m_records[slot].drawn = flags;
     const glm::dmat4 matrix = io::worldFromModel(object.transform);
     const glm::dvec3 centre{matrix * glm::dvec4{model.centre, 1}};
     const glm::vec3 size = glm::abs(object.transform.scale);
     const double radius = double(model.radius) * std::max({size.x, size.y, size.z});
-    const std::uint32_t flags = (state.castShadow ? CULL_CASTS_SHADOW : 0) | (state.marker ? CULL_MARKER : 0) |
+    const std::uint32_t kind = (state.castShadow ? CULL_CASTS_SHADOW : 0) | (state.marker ? CULL_MARKER : 0) |
                                 (isMirrored(object.transform) ? CULL_MIRRORED : 0);
-    m_cullRecords[slot] = cullRecord(centre, radius, std::uint32_t(state.model), flags);
+    m_cullRecords[slot] = cullRecord(centre, radius, std::uint32_t(state.model), kind);
     const io::WorldBox box = boxOf(m_cullRecords[slot]);
     m_bounds.add(box);
     if (!m_growing) m_tree.set(slot, box);
@@ -204,15 +202,12 @@ void World::remove(std::uint32_t slot)
     if (slot != last) { // the last one takes its place, so that the arrays stay dense
         m_records[slot] = m_records[last];
         m_cullRecords[slot] = m_cullRecords[last];
-        m_flags[slot] = m_flags[last];
         m_slotOf[m_records[slot].objectId] = slot;
         m_tree.set(slot, boxOf(m_cullRecords[slot]));
         touch(slot);
-        m_dirtyFlags.push_back(slot);
     }
     m_records.pop_back();
     m_cullRecords.pop_back();
-    m_flags.pop_back();
 }
 
 void World::touch(std::uint32_t slot)
@@ -223,9 +218,9 @@ void World::touch(std::uint32_t slot)
 void World::setFlags(io::ObjectId id, std::uint32_t flags)
 {
     const auto known = m_slotOf.find(io::number(id));
-    if (known == m_slotOf.end() || m_flags[known->second] == flags) return;
-    m_flags[known->second] = flags;
-    m_dirtyFlags.push_back(known->second);
+    if (known == m_slotOf.end() || m_records[known->second].drawn == flags) return;
+    m_records[known->second].drawn = flags;
+    touch(known->second);
 }
 
 void World::select(std::span<const io::ObjectId> ids)
@@ -243,12 +238,7 @@ void World::upload()
 {
     gl::grow(m_recordBuffer, "instances", std::max<std::size_t>(m_records.size(), 1) * sizeof(glsl::Instance),
              m_recordBuffer.bytes());
-    gl::grow(m_flagBuffer, "instance flags", std::max<std::size_t>(m_flags.size(), 1) * sizeof(std::uint32_t),
-             m_flagBuffer.bytes());
     m_uploadedBytes += writeSlots(m_recordBuffer, std::span<const glsl::Instance>{m_records}, m_dirty);
-    writeSlots(m_flagBuffer, std::span<const std::uint32_t>{m_flags}, m_dirtyFlags);
-    m_gpuRecords.instances(m_recordBuffer, m_flagBuffer);
-    m_gpuRecords.materials(m_models.materials());
 }
 
 DrawList World::draws(GpuStream& stream, const CullRequest& request, bool blended) const
@@ -256,6 +246,7 @@ DrawList World::draws(GpuStream& stream, const CullRequest& request, bool blende
     cull({.records = m_cullRecords, .models = m_models.cullModels(), .tree = &m_tree}, request, m_seen);
     return makeDrawList(stream, {.models = m_models,
                                  .seen = m_seen,
+                                 .instances = m_records,
                                  .blended = blended,
                                  .records = m_cullRecords,
                                  .eye = request.eye,

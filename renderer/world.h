@@ -7,7 +7,6 @@
 #include "renderer/cull.h"
 #include "renderer/draw_list.h"
 #include "renderer/model_library.h"
-#include "renderer/object_records.h"
 #include "renderer/shaders/shared/instance.h"
 
 #include <span>
@@ -21,7 +20,6 @@ public:
     void update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes);
     void select(std::span<const io::ObjectId> ids); // marked in the GBuffer
     void upload();                                  // what changed since the last call
-    void bind() const { m_gpuRecords.bind(); }
 
     // Draws for all that `request` lets through.
     DrawList draws(GpuStream& stream, const CullRequest& request, bool blended) const;
@@ -62,19 +60,16 @@ private:
     // By slot, all the same length.
     std::vector<glsl::Instance> m_records;
     std::vector<glsl::CullRecord> m_cullRecords;
-    std::vector<std::uint32_t> m_flags; // INSTANCE_SELECTED
     std::unordered_map<std::uint32_t, std::uint32_t> m_slotOf; // by object id
 
     io::SceneTree<std::uint32_t> m_tree; // of slots
     bool m_growing = false;              // the tree is built when all are there
 
-    std::vector<std::uint32_t> m_dirty, m_dirtyFlags; // slots, perhaps more than once
+    std::vector<std::uint32_t> m_dirty; // slots, perhaps more than once
     std::vector<io::ObjectId> m_selection;
     bool m_selectionStale = false;
     std::vector<glm::dvec4> m_touched;
     gl::Buffer m_recordBuffer;
-    gl::Buffer m_flagBuffer;
-    ObjectRecords m_gpuRecords;
     io::WorldBox m_bounds;
     std::uint64_t m_uploadedBytes = 0;
     std::uint64_t m_revision = 0;

@@ -2,7 +2,7 @@
 
 namespace renderer {
 
-DrawList PassingObjects::bind(GpuFrame& gpu, const World& world, std::span<const Ghost> objects)
+DrawList drawsOf(GpuFrame& gpu, const World& world, std::span<const Ghost> objects)
 {
     std::vector<glsl::Instance> instances;
     std::vector<Seen> seen;
@@ -13,13 +13,8 @@ DrawList PassingObjects::bind(GpuFrame& gpu, const World& world, std::span<const
         seen.push_back({std::uint32_t(instances.size()), binIndex(entry, 0, isMirrored(object.transform), false)});
         instances.push_back(instanceOf(object.transform, io::ObjectId::None));
     }
-    if (instances.empty()) return {};
-    const std::vector<std::uint32_t> flags(instances.size(), 0);
-    m_records.instances(gpu.stream().put(std::span<const glsl::Instance>{instances}),
-                        gpu.stream().put(std::span<const std::uint32_t>{flags}));
-    m_records.materials(world.models().materials());
-    m_records.bind();
-    return makeDrawList(gpu.stream(), {.models = world.models(), .seen = seen});
+    world.models().bindMaterials();
+    return makeDrawList(gpu.stream(), {.models = world.models(), .seen = seen, .instances = instances});
 }
 
 } // namespace renderer

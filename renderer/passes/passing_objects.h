@@ -2,18 +2,11 @@
 #pragma once
 
 #include "renderer/gpu_frame.h"
-#include "renderer/object_records.h"
 #include "renderer/world.h"
 
 namespace renderer {
 
-class PassingObjects {
-public:
-    // Their records are bound in place of the world's; what to draw of them.
-    DrawList bind(GpuFrame& gpu, const World& world, std::span<const Ghost> objects);
-
-private:
-    ObjectRecords m_records;
-};
+// What to draw of them; the world's materials are bound.
+DrawList drawsOf(GpuFrame& gpu, const World& world, std::span<const Ghost> objects);
 
 } // namespace renderer

@@ -57,7 +57,7 @@ void ShowPass::drawAgain(GpuFrame& gpu, Scenery& scenery, const GeometryPass::Dr
                          bool levels)
 {
     const ModelLibrary& models = scenery.world.models();
-    scenery.world.bind();
+    models.bindMaterials();
     drawRanges(gpu, m_objects, models, drawn.objects, drawn.objects.opaque, [&](const DrawRange& range) {
         const Batch& batch = models.batches()[std::size_t(range.batch)];
         gl::DrawState own = state;

@@ -22,7 +22,7 @@ bool touched(const World& world, const Volume& volume)
 } // namespace
 
 ShadowPass::ShadowPass(ShaderLibrary& shaders)
-    : m_masked{shaders, "shadow", {"SHADOW"}, kFeatureMask},
+    : m_masked{shaders, "shadow", {"SHADOW"}, kFeatureMask | kFeatureUvTransform},
       m_solid{shaders.program({.label = "shadow of solids",
                                .stages = {"objects.vert.glsl", "empty.frag.glsl"},
                                .defines = {"POSITION_ONLY"}})},

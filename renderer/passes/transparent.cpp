@@ -7,7 +7,7 @@
 namespace renderer {
 namespace {
 
-constexpr unsigned kAllFeatures = kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap;
+constexpr unsigned kAllFeatures = kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap | kFeatureUvTransform;
 
 } // namespace
 
@@ -57,7 +57,7 @@ void TransparentPass::drawBlended(GpuFrame& gpu, Scenery& scenery, const Viewpoi
     ObjectPrograms& kinds = programs(false, viewpoint, settings);
     const ModelLibrary& models = scenery.world.models();
     m_withIds.bind();
-    scenery.world.bind();
+    models.bindMaterials();
     drawRanges(gpu, m_objects, models, objects, objects.blended, [&](const DrawRange& range) {
         const Batch& batch = models.batches()[std::size_t(range.batch)];
         gl::apply({.depthTest = GL_GREATER,
@@ -76,7 +76,7 @@ void TransparentPass::drawGhosts(GpuFrame& gpu, Radiance& radiance, Scenery& sce
     ObjectPrograms& kinds = programs(true, viewpoint, settings);
     const ModelLibrary& models = scenery.world.models();
     radiance.framebuffer.bind();
-    const DrawList list = m_ghosts.bind(gpu, scenery.world, ghosts);
+    const DrawList list = drawsOf(gpu, scenery.world, ghosts);
     for (const bool depthOnly : {true, false})
         for (const std::span<const DrawRange> ranges : {std::span{list.opaque}, std::span{list.blended}})
             drawRanges(gpu, m_objects, models, list, ranges, [&](const DrawRange& range) {
@@ -94,7 +94,6 @@ void TransparentPass::drawGhosts(GpuFrame& gpu, Radiance& radiance, Scenery& sce
                 return gpu.use(depthOnly ? m_depthOnly : kinds.of(batch));
             });
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    scenery.world.bind();
 }
 
 } // namespace renderer

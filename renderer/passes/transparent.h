@@ -29,7 +29,6 @@ private:
     std::vector<std::unique_ptr<Variant>> m_variants;
     const gl::Program& m_depthOnly;
     gl::VertexArray m_objects;
-    PassingObjects m_ghosts;
     gl::Framebuffer m_withIds; // blended things can be pointed at
     GLuint m_radiance = 0, m_id = 0;
 };

@@ -1,7 +1,6 @@
 // Quads of impostors. Everything happens in the model's own space, where its frames were made, so that any turn, scale
 // and mirror image of a copy comes out right.
 #include "records.glsl"
-#include "shared/drawn.h"
 #include "shared/impostor.h"
 #include "view.glsl"
 
@@ -11,7 +10,6 @@ layout(location = 3) in vec4 inExtent;    // half the bounds' size, of the radiu
                                           // the centre
 layout(location = 4) in vec2 inCorner;    // -1 or 1
 layout(location = 5) in vec2 inPlace;     // radius in m, layer
-layout(location = 7) in uint inInstance;
 
 invariant gl_Position; // passes that draw the same surface again compare depths for equality
 
@@ -40,10 +38,8 @@ const float kSteepest = 0.7; // tangent of the angle from below beyond which it 
 
 void main()
 {
-    uint slot = inInstance & DRAWN_SLOT_MASK;
-    Instance instance = instanceAt(slot);
-    mat3 model = mat3(instance.axisX.xyz, instance.axisY.xyz, instance.axisZ.xyz);
-    vec3 origin = (instance.positionHigh - view.eyeHigh) + (instance.positionLow - view.eyeLow);
+    mat3 model = mat3(inAxisX, inAxisY, inAxisZ);
+    vec3 origin = instancePlace(view.eyeHigh, view.eyeLow);
     float radius = inPlace.x;
 
     // From here on lengths are shares of the radius, seen from the centre.
@@ -60,10 +56,10 @@ void main()
     vec3 place = corner - ray * (forward / distance_);
     gl_Position = view.clipFromRelative * vec4(origin + model * (inCentre + place * radius), 1.0);
 #ifdef LEVELS
-    level = float((inInstance >> DRAWN_LEVEL_SHIFT) & DRAWN_LEVEL_MASK);
+    level = float(instanceLevel());
 #endif
 #ifdef FADE
-    fade = inInstance >> DRAWN_FADE_SHIFT;
+    fade = instanceFade();
 #endif
 
 #ifndef POSITION_ONLY
@@ -100,7 +96,7 @@ void main()
     normalX *= mirror;
     normalY *= mirror;
     normalZ *= mirror;
-    ids = uvec2(instance.objectId, texelFetch(instanceFlags, int(slot)).x);
+    ids = uvec2(instanceObject(), instanceFlags());
     vec4 centre = view.clipFromRelative * vec4(origin + model * inCentre, 1.0);
     misc = vec4(inRoughness, floor((centre.xy / centre.w * 0.5 + 0.5) * vec2(view.size)));
 #endif

@@ -1,7 +1,6 @@
-// Vertices of placed objects. The instance comes by way of a list that culling wrote, one number a copy.
+// Vertices of placed objects.
 #include "octahedron.glsl"
 #include "records.glsl"
-#include "shared/drawn.h"
 #include "view.glsl"
 
 layout(location = 0) in vec3 inPosition;
@@ -11,7 +10,6 @@ layout(location = 3) in vec4 inColour;
 layout(location = 4) in vec2 inUv0;
 layout(location = 5) in vec2 inUv1;
 layout(location = 6) in uint inMaterial;
-layout(location = 7) in uint inInstance;
 
 invariant gl_Position; // passes that draw the same surface again compare depths for equality
 
@@ -55,58 +53,53 @@ vec2 transformed(MaterialTexture use)
     return use.matrix.xy * uv.x + use.matrix.zw * uv.y + use.offset;
 }
 
-uint layerBits(int layer)
+vec2 textureUv(int unit)
 {
-    return uint(layer) & 0xffffu;
+#ifdef UV_TRANSFORM
+    return transformed(materialTexture(inMaterial, unit));
+#else
+    return inUv0;
+#endif
 }
 
 void main()
 {
-    uint slot = inInstance & DRAWN_SLOT_MASK;
-    Instance instance = instanceAt(slot);
-    vec3 axisX = instance.axisX.xyz;
-    vec3 axisY = instance.axisY.xyz;
-    vec3 axisZ = instance.axisZ.xyz;
-    vec3 eyeToOrigin = (instance.positionHigh - view.eyeHigh) + (instance.positionLow - view.eyeLow);
-    vec3 place = eyeToOrigin + axisX * inPosition.x + axisY * inPosition.y + axisZ * inPosition.z;
+    vec3 origin = instancePlace(view.eyeHigh, view.eyeLow);
+    vec3 place = origin + inAxisX * inPosition.x + inAxisY * inPosition.y + inAxisZ * inPosition.z;
     gl_Position = view.clipFromRelative * vec4(place, 1.0);
 #ifdef LEVELS
-    level = float((inInstance >> DRAWN_LEVEL_SHIFT) & DRAWN_LEVEL_MASK);
+    level = float(instanceLevel());
 #endif
 #ifdef FADE
-    fade = inInstance >> DRAWN_FADE_SHIFT;
+    fade = instanceFade();
 #endif
 
 #ifndef POSITION_ONLY
-    MaterialTexture base = materialTexture(inMaterial, BASE_COLOUR_UNIT);
-    uvBase = transformed(base);
+    QuickMaterial material = quickMaterial(inMaterial);
+    uvBase = textureUv(BASE_COLOUR_UNIT);
 #ifdef WRAP
     wrapModes = 0u;
     for (int i = 0; i < MATERIAL_TEXTURES; ++i)
         wrapModes |= ((materialTexture(inMaterial, i).mode >> TEXTURE_WRAP_U_SHIFT) & 15u) << (4 * i);
 #endif
 #ifdef SHADOW
-    cutout = vec3(float(base.layer), materialTexel(inMaterial, MATERIAL_FACTORS_TEXEL).w,
-                  materialTexel(inMaterial, MATERIAL_BASE_COLOUR_TEXEL).a * inColour.a);
+    uint layer = material.layers & 0xffffu;
+    cutout = vec3(layer == 0xffffu ? -1.0 : float(layer), material.cutoff, material.baseColour.a * inColour.a);
 #else
     // Cofactors turn normals rightly under any scale; a mirror image turns them once more.
     vec3 n = fromOctahedral(inNormal);
-    vec3 cofactorX = cross(axisY, axisZ);
-    float mirror = sign(dot(axisX, cofactorX));
-    normal = (cofactorX * n.x + cross(axisZ, axisX) * n.y + cross(axisX, axisY) * n.z) * mirror;
-    colour = materialTexel(inMaterial, MATERIAL_BASE_COLOUR_TEXEL) * inColour;
-    vec4 factors = materialTexel(inMaterial, MATERIAL_FACTORS_TEXEL); // metallic, normal scale, occlusion, cutoff
-    vec4 emission = materialTexel(inMaterial, MATERIAL_EMISSIVE_TEXEL); // and roughness
-    int normalLayer = materialTexture(inMaterial, NORMAL_UNIT).layer;
-    uint layers = layerBits(base.layer) | layerBits(normalLayer) << 16;
-    uint layers2 = 0u;
-    surface = vec4(emission.w, factors.x, factors.w, factors.y);
+    vec3 cofactorX = cross(inAxisY, inAxisZ);
+    float mirror = sign(dot(inAxisX, cofactorX));
+    normal = (cofactorX * n.x + cross(inAxisZ, inAxisX) * n.y + cross(inAxisX, inAxisY) * n.z) * mirror;
+    colour = material.baseColour * inColour;
+    surface = vec4(material.roughness, material.metallic, material.cutoff, material.normalScale);
+    uint otherLayers = 0u;
 #ifdef NORMAL_MAP
     int bits = int(inTangent);
     vec2 packed_ = vec2(float(bitfieldExtract(bits, 0, 16)) / 32767.0, float(bitfieldExtract(bits, 16, 15)) / 16383.0);
     vec3 t = fromOctahedral(clamp(packed_, -1.0, 1.0));
-    tangent = vec4(axisX * t.x + axisY * t.y + axisZ * t.z, inTangent >= 0x80000000u ? -mirror : mirror);
-    uvNormal = transformed(materialTexture(inMaterial, NORMAL_UNIT));
+    tangent = vec4(inAxisX * t.x + inAxisY * t.y + inAxisZ * t.z, inTangent >= 0x80000000u ? -mirror : mirror);
+    uvNormal = textureUv(NORMAL_UNIT);
 #endif
 #ifdef SURFACE_MAPS
     MaterialTexture surfaceUse = materialTexture(inMaterial, SURFACE_UNIT);
@@ -114,12 +107,12 @@ void main()
     MaterialTexture emissiveUse = materialTexture(inMaterial, EMISSIVE_UNIT);
     uvSurfaceOcclusion = vec4(transformed(surfaceUse), transformed(occlusionUse));
     uvEmissive = transformed(emissiveUse);
-    emissive = vec4(emission.rgb, factors.z);
-    emissiveLayer = layerBits(emissiveUse.layer);
-    layers2 = layerBits(surfaceUse.layer) | layerBits(occlusionUse.layer) << 16;
+    emissive = vec4(materialTexel(inMaterial, MATERIAL_EMISSIVE_TEXEL).rgb,
+                    materialTexel(inMaterial, MATERIAL_FACTORS_TEXEL).z); // and occlusion strength
+    emissiveLayer = uint(emissiveUse.layer) & 0xffffu;
+    otherLayers = (uint(surfaceUse.layer) & 0xffffu) | uint(occlusionUse.layer) << 16;
 #endif
-    uint flags = texelFetch(instanceFlags, int(slot)).x | materialFlags(inMaterial) << 8;
-    ids = uvec4(instance.objectId, flags, layers, layers2);
+    ids = uvec4(instanceObject(), instanceFlags() | material.flags << 8, material.layers, otherLayers);
 #ifdef FORWARD
     relative = place;
 #endif

@@ -1,35 +1,70 @@
-// Instances and materials out of their buffer textures.
+// The instance that a vertex belongs to, from its attributes, and materials out of their buffer texture.
 #include "shared/bindings.h"
+#include "shared/drawn.h"
 #include "shared/instance.h"
 #include "shared/material.h"
 
-layout(binding = INSTANCES_UNIT) uniform usamplerBuffer instanceTexels;
-layout(binding = INSTANCE_FLAGS_UNIT) uniform usamplerBuffer instanceFlags;
 layout(binding = MATERIALS_UNIT) uniform usamplerBuffer materialTexels;
 
-Instance instanceAt(uint index)
+layout(location = 7) in uvec4 inPositionHigh; // and object
+layout(location = 8) in uvec4 inPositionLow;  // and what is drawn
+layout(location = 9) in vec3 inAxisX;
+layout(location = 10) in vec3 inAxisY;
+layout(location = 11) in vec3 inAxisZ;
+
+// From the eye, m; `high` and `low` are the eye's.
+vec3 instancePlace(vec3 high, vec3 low)
 {
-    int first = int(index) * INSTANCE_TEXELS;
-    uvec4 high = texelFetch(instanceTexels, first);
-    uvec4 low = texelFetch(instanceTexels, first + 1);
-    Instance instance;
-    instance.positionHigh = uintBitsToFloat(high.xyz);
-    instance.objectId = high.w;
-    instance.positionLow = uintBitsToFloat(low.xyz);
-    instance.axisX = uintBitsToFloat(texelFetch(instanceTexels, first + 2));
-    instance.axisY = uintBitsToFloat(texelFetch(instanceTexels, first + 3));
-    instance.axisZ = uintBitsToFloat(texelFetch(instanceTexels, first + 4));
-    return instance;
+    return (uintBitsToFloat(inPositionHigh.xyz) - high) + (uintBitsToFloat(inPositionLow.xyz) - low);
+}
+
+uint instanceObject()
+{
+    return inPositionHigh.w;
+}
+
+uint instanceFlags()
+{
+    return inPositionLow.w & DRAWN_FLAGS_MASK;
+}
+
+uint instanceLevel()
+{
+    return (inPositionLow.w >> DRAWN_LEVEL_SHIFT) & DRAWN_LEVEL_MASK;
+}
+
+uint instanceFade()
+{
+    return inPositionLow.w >> DRAWN_FADE_SHIFT;
+}
+
+struct QuickMaterial {
+    vec4 baseColour;
+    uint layers; // of colour, and of normals in the upper half; 0xffff: none
+    uint flags;
+    float roughness, metallic, cutoff, normalScale;
+};
+
+QuickMaterial quickMaterial(uint material)
+{
+    uvec4 a = texelFetch(materialTexels, int(material) * MATERIAL_TEXELS + MATERIAL_QUICK_TEXEL);
+    uvec4 b = texelFetch(materialTexels, int(material) * MATERIAL_TEXELS + MATERIAL_QUICK_TEXEL + 1);
+    QuickMaterial m;
+    m.baseColour = vec4(unpackUnorm2x16(a.x), unpackUnorm2x16(a.y));
+    m.layers = a.z;
+    m.flags = a.w;
+    vec2 rough = unpackUnorm2x16(b.x);
+    vec2 cut = unpackUnorm2x16(b.y);
+    m.roughness = rough.x;
+    m.metallic = rough.y;
+    m.cutoff = cut.x;
+    m.normalScale = cut.y * MATERIAL_MOST_SCALE;
+    return m;
 }
 
 vec4 materialTexel(uint material, int texel)
 {
     return uintBitsToFloat(texelFetch(materialTexels, int(material) * MATERIAL_TEXELS + texel));
-}
-
-uint materialFlags(uint material)
-{
-    return texelFetch(materialTexels, int(material) * MATERIAL_TEXELS + MATERIAL_FLAGS_TEXEL).x;
 }
 
 MaterialTexture materialTexture(uint material, int unit)

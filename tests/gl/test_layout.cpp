@@ -65,14 +65,11 @@ TEST_F(Layout, TerrainAgrees)
 TEST_F(Layout, RecordsLieAsTheirTexelsSay)
 {
     constexpr std::size_t kTexel = 16;
-    EXPECT_EQ(sizeof(glsl::Instance), INSTANCE_TEXELS * kTexel);
-    EXPECT_EQ(offsetof(glsl::Instance, positionLow), kTexel);
-    EXPECT_EQ(offsetof(glsl::Instance, axisZ), 4 * kTexel);
     EXPECT_EQ(sizeof(glsl::Material), MATERIAL_TEXELS * kTexel);
     EXPECT_EQ(offsetof(glsl::Material, emissive), MATERIAL_EMISSIVE_TEXEL * kTexel);
     EXPECT_EQ(offsetof(glsl::Material, metallic), MATERIAL_FACTORS_TEXEL * kTexel);
     EXPECT_EQ(offsetof(glsl::Material, alphaCutoff), MATERIAL_FACTORS_TEXEL * kTexel + 12);
-    EXPECT_EQ(offsetof(glsl::Material, flags), MATERIAL_FLAGS_TEXEL * kTexel);
+    EXPECT_EQ(offsetof(glsl::Material, quick), MATERIAL_QUICK_TEXEL * kTexel);
     EXPECT_EQ(offsetof(glsl::Material, textures), MATERIAL_TEXTURE_TEXEL * kTexel);
 }
 

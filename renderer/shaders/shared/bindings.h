@@ -40,8 +40,6 @@
 #define CLOUD_MAP_UNIT 16
 
 // Records that vertices read are buffer textures: software GL fetches a texel far faster than it reads a storage block.
-#define INSTANCES_UNIT 12
-#define INSTANCE_FLAGS_UNIT 13
 #define MATERIALS_UNIT 14
 
 #endif

@@ -1,8 +1,10 @@
-// An entry of a view's instance list: which record, at which level of detail, and how much of it while it fades.
+// One thing that a view draws: which record, at which level of detail, and how much of it while it fades. In the copy
+// of the record the flags of the instance take the slot's place.
 #ifndef SHARED_DRAWN_H
 #define SHARED_DRAWN_H
 
 #define DRAWN_SLOT_MASK 0xffffffu // of the instance records
+#define DRAWN_FLAGS_MASK 0xffu
 #define DRAWN_LEVEL_SHIFT 24
 #define DRAWN_LEVEL_MASK 7u
 #define MOST_LEVELS 8             // of a model, the full one among them

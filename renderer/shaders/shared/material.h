@@ -22,19 +22,21 @@ struct MaterialTexture {
 SHARED_STRUCT_END(MaterialTexture, 32)
 
 struct Material {
+    uvec4 quick;                      // what every vertex needs: base colour, unorm16; layers of colour and normals; flags
+    uvec4 quick2;                     // roughness, metallic; cutoff, normal scale / MATERIAL_MOST_SCALE; unorm16; unused
     vec4 baseColour;
     vec3 emissive;  float roughness;
     float metallic; float normalScale; float occlusionStrength; float alphaCutoff;
     uint flags; uint unused0; uint unused1; uint unused2;
     MaterialTexture textures[MATERIAL_TEXTURES];
 };
-SHARED_STRUCT_END(Material, 224)
-#define MATERIAL_TEXELS 14
-#define MATERIAL_BASE_COLOUR_TEXEL 0
-#define MATERIAL_EMISSIVE_TEXEL 1 // and roughness
-#define MATERIAL_FACTORS_TEXEL 2  // metallic, normal scale, occlusion strength, alpha cutoff
-#define MATERIAL_FLAGS_TEXEL 3
-#define MATERIAL_TEXTURE_TEXEL 4  // two a texture
+SHARED_STRUCT_END(Material, 256)
+#define MATERIAL_TEXELS 16
+#define MATERIAL_QUICK_TEXEL 0
+#define MATERIAL_EMISSIVE_TEXEL 3 // and roughness
+#define MATERIAL_FACTORS_TEXEL 4  // metallic, normal scale, occlusion strength, alpha cutoff
+#define MATERIAL_TEXTURE_TEXEL 6  // two a texture
+#define MATERIAL_MOST_SCALE 4.0f  // of normals, in the quick words
 
 SHARED_END
 #endif
