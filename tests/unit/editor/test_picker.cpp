@@ -199,6 +199,23 @@ TEST(Picker, ItsTilesSayTheSameAfterHundredsOfEdits)
     compareWithBruteForce(*document, test::followed(picker, *document), 500, 16);
 }
 
+// Too scattered for a tile of their own, they join tiles whose rays did not come near so far.
+TEST(Picker, WhatComesFarFromAllIsHitThere)
+{
+    const auto document = test::forest(6000, 19, false);
+    Picker picker;
+    test::followed(picker, *document).prepare();
+    const auto at = [](int i) { return glm::dvec3{(i % 2 ? 1 : -1) * (600.0 + 15 * i), 0, 11.0 * i}; };
+    std::vector<io::Object> blobs;
+    for (int i = 0; i < 200; ++i)
+        blobs.push_back({.id = document->freshId(), .templateId = io::TemplateId{2}, .transform = {.position = at(i)}});
+    addObjects(*document, "Add", blobs);
+    test::followed(picker, *document);
+    for (int i = 0; i < 200; ++i)
+        EXPECT_EQ(picker.pick({.origin = at(i) + glm::dvec3{0.1, 50, 0.1}, .direction = {0, -1, 0}}).id,
+                  blobs[std::size_t(i)].id);
+}
+
 // Also what no ray has met yet, what lies behind the eye, and rectangles that lie outside of the picture in part.
 TEST(Picker, TheBoxTakesWhatLookingAtEachSays)
 {
