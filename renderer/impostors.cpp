@@ -9,9 +9,13 @@ namespace renderer {
 namespace {
 
 // How far the quad stands before the centre, of the bounds' depth: clear of the ground around its foot, and in as much
-// of its own shadow as what it shows. One sees into a crown, but not into a rock.
-constexpr float kForwardOfLeaves = 0.32f;
-constexpr float kForwardOfSolids = 0.75f;
+// of its own shadow as what it shows. One does not see into a rock, but into a crown, the more so the slimmer it is.
+float forwardOf(const ImpostorShape& shape)
+{
+    if (shape.leaves < 0.3f) return 0.75f;
+    const float width = (shape.extent.x + shape.extent.z) / 2;
+    return glm::clamp(0.5f - 0.13f * shape.extent.y / std::max(width, 1e-6f), 0.1f, 0.4f); // fitted to the trees of the valley
+}
 
 gl::Texture makeArray(std::string_view label, int layers)
 {
@@ -67,12 +71,11 @@ std::array<PackedVertex, 4> impostorQuad(const ImpostorShape& shape)
 {
     const auto half = [](float value) { return std::uint32_t(std::lround(glm::clamp(value, 0.0f, 1.0f) * 32767)); };
     const glm::vec3 extent = glm::ceil(glm::clamp(shape.extent / shape.radius, 0.0f, 1.0f) * 255.0f);
-    const float forward = (shape.leaves > 0.3f ? kForwardOfLeaves : kForwardOfSolids) * 255;
     std::array<PackedVertex, 4> quad;
     for (int i = 0; i < 4; ++i)
         quad[std::size_t(i)] = {.position = shape.centre,
                                 .normal = half(shape.leafRoughness) | half(shape.roughness) << 16,
-                                .colour = glm::u8vec4{extent, forward},
+                                .colour = glm::u8vec4{extent, 255 * forwardOf(shape)},
                                 .uv0 = glm::vec2{i & 1 ? 1 : -1, i & 2 ? 1 : -1},
                                 .uv1 = {shape.radius, float(shape.layer)}};
     return quad;
