@@ -8,7 +8,7 @@ namespace editor {
 namespace {
 
 constexpr std::size_t kThinTile = 64;    // a tile of fewer is dissolved
-constexpr std::size_t kShareOfTile = 64; // a group founds a tile if it has as many for each tile that it overlaps
+constexpr std::size_t kShareOfTile = 32; // a group founds a tile if it has as many for each tile that it overlaps
 
 io::WorldBox around(std::span<const std::uint32_t> places, std::span<const RayInstance> instances)
 {
@@ -18,27 +18,31 @@ io::WorldBox around(std::span<const std::uint32_t> places, std::span<const RayIn
     return box;
 }
 
-int longest(const glm::dvec3& v)
+int longest(const glm::vec3& v)
 {
     return v.x >= v.y && v.x >= v.z ? 0 : v.y >= v.z ? 1 : 2;
 }
 
+// What partition() sorts by, side by side in memory: a million instances themselves lie too far apart for that.
+struct Placed {
+    glm::vec3 middle{0};
+    std::uint32_t place = 0;
+};
+
 // Halves by the median along the longer side, until each is no more than a tile.
-template <class Visit>
-void partition(std::span<std::uint32_t> places, std::span<const RayInstance> instances, Visit& visit)
+template <class Visit> void partition(std::span<Placed> placed, Visit& visit)
 {
-    if (places.size() <= RayScene::kTile) return visit(places);
-    io::WorldBox middles;
-    for (const std::uint32_t place : places)
-        middles.add(instances[place].bounds.centre());
+    if (placed.size() <= RayScene::kTile) return visit(placed);
+    io::Box middles;
+    for (const Placed& one : placed)
+        middles.add(one.middle);
     const int axis = longest(middles.size());
-    const auto half = places.begin() + std::ptrdiff_t(places.size() / 2);
-    const auto along = [&](std::uint32_t place) { return instances[place].bounds.centre()[axis]; };
-    std::nth_element(places.begin(), half, places.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return std::pair{along(a), a} < std::pair{along(b), b};
+    const auto half = placed.begin() + std::ptrdiff_t(placed.size() / 2);
+    std::nth_element(placed.begin(), half, placed.end(), [&](const Placed& a, const Placed& b) {
+        return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis] : a.place < b.place;
     });
-    partition({places.begin(), half}, instances, visit);
-    partition({half, places.end()}, instances, visit);
+    partition({placed.begin(), half}, visit);
+    partition({half, placed.end()}, visit);
 }
 
 } // namespace
@@ -136,14 +140,22 @@ void RayTiles::joinNearest(std::uint32_t place)
 // Groups of them that lie densely become tiles of their own, the others join what is there.
 void RayTiles::found(Places places, bool always)
 {
-    const auto settleGroup = [&](Places group) {
+    std::vector<Placed> placed;
+    placed.reserve(places.size());
+    for (const std::uint32_t place : places)
+        placed.push_back({glm::vec3{instances[place].bounds.centre()}, place});
+    std::vector<std::uint32_t> group;
+    const auto settleGroup = [&](std::span<const Placed> together) {
+        group.clear();
+        for (const Placed& one : together)
+            group.push_back(one.place);
         std::size_t overlapped = 0;
         if (!always) m_tree.touching(around(group, instances), [&](const auto&) { ++overlapped; });
         if (group.size() >= overlapped * kShareOfTile) return makeTile(group);
         for (const std::uint32_t place : group)
             joinNearest(place);
     };
-    partition(places, instances, settleGroup);
+    partition(std::span{placed}, settleGroup);
 }
 
 // Everything where it belongs, once the recent ones are many.

@@ -29,7 +29,7 @@ public:
 private:
     static constexpr std::uint32_t kRecentTile = 0; // always there, not in the tree
 
-    using Places = std::span<std::uint32_t>;
+    using Places = std::span<const std::uint32_t>;
     RayTile& tile(std::uint32_t number) { return *m_tiles[number]; }
     void settle();
     void found(Places places, bool always);
