@@ -11,6 +11,7 @@ namespace {
 
 constexpr float kGap = 4;    // pixels between regions, where the splitters are
 constexpr float kStrip = 32; // height of a tab strip
+constexpr float kTabGap = 2;
 constexpr float kLeastSide = 160, kLeastBottom = 110, kLeastCentre = 240;
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
@@ -20,6 +21,12 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
 std::string title(const Panel& panel)
 {
     return tr("panel." + std::string{panel.id()});
+}
+
+float tabWidth(const Panel& panel, bool front, bool narrow)
+{
+    if (narrow && !front) return 34; // its icon alone
+    return ImGui::CalcTextSize(title(panel).c_str()).x + (front ? 60 : 40);
 }
 
 } // namespace
@@ -171,19 +178,23 @@ void Workspace::tabStrip(Region region, const Rect& rect)
     ImGui::GetWindowDrawList()->AddRectFilled(rect.min, {rect.max.x, rect.min.y + kStrip}, palette::kStrip);
     float x = rect.min.x + 4;
     const std::vector<std::string> ids = m_layout.at(region).panels; // a copy: a click may change the layout
+    float all = x - rect.min.x;
     for (const std::string& id : ids)
-        if (const Panel* panel = find(id)) tab(region, *panel, x, rect.min.y);
+        if (const Panel* panel = find(id)) all += tabWidth(*panel, id == m_layout.at(region).front, false) + kTabGap;
+    const bool narrow = all > rect.max.x - rect.min.x; // then only the one in front says its name
+    for (const std::string& id : ids)
+        if (const Panel* panel = find(id)) tab(region, *panel, x, rect.min.y, narrow);
 }
 
-void Workspace::tab(Region region, const Panel& panel, float& x, float top)
+void Workspace::tab(Region region, const Panel& panel, float& x, float top, bool narrow)
 {
     const std::string text = title(panel);
     Tabs& tabs = m_layout.at(region);
     const bool front = tabs.front == panel.id();
-    const float width = ImGui::CalcTextSize(text.c_str()).x + (front ? 60 : 40);
-    const ImVec2 min{x, top + 4}, max{x + width, top + kStrip};
+    const bool named = front || !narrow;
+    const ImVec2 min{x, top + 4}, max{x + tabWidth(panel, front, narrow), top + kStrip};
     m_tabMiddles.emplace_back(region, (min.x + max.x) / 2);
-    x = max.x + 2;
+    x = max.x + kTabGap;
 
     ImGui::SetCursorScreenPos(min);
     ImGui::InvisibleButton(panel.id(), {max.x - min.x, max.y - min.y});
@@ -192,6 +203,7 @@ void Workspace::tab(Region region, const Panel& panel, float& x, float top)
     if (ImGui::IsItemActivated()) tabs.front = panel.id();
     if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 6)) m_dragged = panel.id();
     mapItem("tab", text, front);
+    if (!named && hovered && m_dragged.empty()) ui::tooltip(text.c_str());
 
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     if (front || hovered)
@@ -199,7 +211,7 @@ void Workspace::tab(Region region, const Panel& panel, float& x, float top)
     if (front) draw.AddRectFilled(min, {max.x, min.y + 2}, palette::kAccent, 4, ImDrawFlags_RoundCornersTop);
     const ImU32 colour = front ? palette::kText : palette::kSoftText;
     drawIcon(draw, panel.icon(), {min.x + 10, min.y + 7}, 14, front ? palette::kAccent : palette::kFaintText);
-    draw.AddText({min.x + 30, min.y + (max.y - min.y - ImGui::GetFontSize()) / 2}, colour, text.c_str());
+    if (named) draw.AddText({min.x + 30, min.y + (max.y - min.y - ImGui::GetFontSize()) / 2}, colour, text.c_str());
     if (!front) return;
     ImGui::SetCursorScreenPos({max.x - 25, min.y + 4});
     const std::string close = std::string{"close."} + panel.id();

@@ -38,7 +38,7 @@ private:
     void splitter(Region region, const Rect& grip, float room);
     void drawRegion(Editor& editor, Region region, const Rect& rect);
     void tabStrip(Region region, const Rect& rect);
-    void tab(Region region, const Panel& panel, float& x, float top);
+    void tab(Region region, const Panel& panel, float& x, float top, bool narrow);
     void drawPanel(Editor& editor, Panel& panel, Region region);
     void dropZones(const std::array<Rect, 4>& rects, ImVec2 min, ImVec2 max);
     void dropTab(Region region);
