@@ -7,19 +7,42 @@
 #include "renderer/device.h"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <fmt/format.h>
+#include <fstream>
 #include <map>
+#include <set>
+#include <string>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace app {
 namespace {
 
 constexpr int kFrames = 120;
 
+double clockMs(clockid_t clock)
+{
+    timespec time{};
+    clock_gettime(clock, &time);
+    return double(time.tv_sec) * 1e3 + double(time.tv_nsec) * 1e-6;
+}
+
 double now() // ms
 {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    return clockMs(CLOCK_MONOTONIC);
+}
+
+// Since the system started this process, which is before main(); to a hundredth of a second.
+double sinceProcessStart() // ms
+{
+    std::string stat;
+    std::getline(std::ifstream{"/proc/self/stat"}, stat);
+    std::size_t at = stat.rfind(')'); // the name before it may hold spaces; the start is the 20th field after it
+    for (int field = 0; field < 20 && at != stat.npos; ++field)
+        at = stat.find(' ', at + 1);
+    if (at == stat.npos) return 0;
+    return clockMs(CLOCK_BOOTTIME) - std::strtod(stat.c_str() + at, nullptr) * 1e3 / double(sysconf(_SC_CLK_TCK));
 }
 
 double percentile(std::vector<double> values, double share)
@@ -36,15 +59,35 @@ double peakMegabytes()
     return double(usage.ru_maxrss) / 1024;
 }
 
+struct FrameCost { // ms
+    double wall = 0;
+    double processor = 0; // of all threads: counts little of what else the machine does
+    double submit = 0;    // of the processor, in the calling thread, before it waits for the device
+};
+
 struct Measured {
-    std::vector<double> frames; // ms
+    std::vector<double> frames, processor, submit; // ms
     std::vector<std::string> passNames;
     std::map<std::string, std::vector<double>> cpu, gpu; // by pass, ms
     std::map<std::string, std::vector<double>> counts;
+    std::vector<std::vector<double>> levels; // triangles of the camera's view, by level of detail
 };
+
+// Counts that came with culling on the device.
+void keepCulling(Measured& measured, const auto& stats)
+{
+    if constexpr (requires { stats.trianglesOfLevel; }) {
+        measured.counts["instances_inside"].push_back(double(stats.instancesInside));
+        measured.counts["instances_hidden"].push_back(double(stats.instancesHidden));
+        measured.levels.resize(stats.trianglesOfLevel.size());
+        for (std::size_t level = 0; level < measured.levels.size(); ++level)
+            measured.levels[level].push_back(double(stats.trianglesOfLevel[level]));
+    }
+}
 
 void keep(Measured& measured, const renderer::FrameStats& stats)
 {
+    keepCulling(measured, stats);
     for (const renderer::PassTime& pass : stats.passes) {
         if (!measured.cpu.contains(pass.name)) measured.passNames.push_back(pass.name);
         measured.cpu[pass.name].push_back(pass.cpuMs);
@@ -57,6 +100,13 @@ void keep(Measured& measured, const renderer::FrameStats& stats)
     count("instances", stats.instances);
     count("instances_drawn", stats.instancesDrawn);
     count("gpu_mb", stats.gpuBytes >> 20);
+}
+
+void keep(Measured& measured, const FrameCost& cost)
+{
+    measured.frames.push_back(cost.wall);
+    measured.processor.push_back(cost.processor);
+    measured.submit.push_back(cost.submit);
 }
 
 // The places of the path that frames are drawn from: spread evenly over all of it.
@@ -86,13 +136,14 @@ io::Result<Flight> flightOf(const Options& options, const editor::Document& docu
     return flight;
 }
 
-double drawFrame(renderer::Renderer& renderer, const io::Camera& camera, const renderer::Settings& drawing,
-                 glm::ivec2 size, double time)
+FrameCost drawFrame(renderer::Renderer& renderer, const io::Camera& camera, const renderer::Settings& drawing,
+                    glm::ivec2 size, double time)
 {
-    const double start = now();
+    const FrameCost start{now(), clockMs(CLOCK_PROCESS_CPUTIME_ID), clockMs(CLOCK_THREAD_CPUTIME_ID)};
     renderer.render({.camera = camera, .size = size, .settings = drawing, .time = time});
+    const double submitted = clockMs(CLOCK_THREAD_CPUTIME_ID);
     renderer::waitForDevice();
-    return now() - start;
+    return {now() - start.wall, clockMs(CLOCK_PROCESS_CPUTIME_ID) - start.processor, submitted - start.submit};
 }
 
 Measured measure(renderer::Renderer& renderer, const Flight& flight, const renderer::Settings& drawing,
@@ -104,7 +155,7 @@ Measured measure(renderer::Renderer& renderer, const Flight& flight, const rende
     for (int i = 0; i < options.warmup; ++i)
         drawFrame(renderer, flight.at(i % frames, frames), drawing, options.size, i / 60.0);
     for (int i = 0; i < frames; ++i) {
-        measured.frames.push_back(drawFrame(renderer, flight.at(i, frames), drawing, options.size, i / 60.0));
+        keep(measured, drawFrame(renderer, flight.at(i, frames), drawing, options.size, i / 60.0));
         keep(measured, renderer.stats());
         io::report(progress, float(i + 1) / float(frames), "measure");
     }
@@ -115,11 +166,16 @@ io::Value figuresOf(const Measured& measured)
 {
     io::Value figures = io::Value::Object{{"median_ms", percentile(measured.frames, 0.5)},
                                           {"p95_ms", percentile(measured.frames, 0.95)},
-                                          {"p99_ms", percentile(measured.frames, 0.99)}};
+                                          {"p99_ms", percentile(measured.frames, 0.99)},
+                                          {"processor_ms", percentile(measured.processor, 0.5)},
+                                          {"submit_ms", percentile(measured.submit, 0.5)}};
     for (const auto& [name, values] : measured.counts)
         figures[name] = percentile(values, 0.5);
     figures["grass_blades"] = 0; // grass comes with a later release
-    io::Value::Array passes;
+    io::Value::Array levels, passes;
+    for (const std::vector<double>& level : measured.levels)
+        levels.emplace_back(percentile(level, 0.5));
+    figures["triangles_of_level"] = std::move(levels);
     for (const std::string& name : measured.passNames)
         passes.push_back(io::Value::Object{{"name", name},
                                            {"cpu_ms", percentile(measured.cpu.at(name), 0.5)},
@@ -129,15 +185,49 @@ io::Value figuresOf(const Measured& measured)
     return figures;
 }
 
+double megabytes(const auto& values)
+{
+    return double(std::size(values) * sizeof(*std::data(values))) / 1e6;
+}
+
+// What the open world holds outside of the renderer, by kind.
+io::Value memoryOf(const editor::Document& document)
+{
+    constexpr double kIndexed = 40; // bytes that finding an object by its id takes
+    double geometry = 0, pictures = 0;
+    std::set<const void*> counted; // models and pictures that several share
+    const auto addPicture = [&](const std::shared_ptr<const io::Image>& image) {
+        if (image && counted.insert(image.get()).second) pictures += megabytes(image->bytes);
+    };
+    for (const auto& model : document.assets().models) {
+        if (!model || !counted.insert(model.get()).second) continue;
+        geometry += megabytes(model->vertices) + megabytes(model->indices);
+        for (const io::Level& level : model->levels)
+            geometry += megabytes(level.indices);
+        for (const auto& image : model->images)
+            addPicture(image);
+    }
+    for (const io::LayerImages& layer : document.assets().layers)
+        for (const auto& image : {layer.colour, layer.normal})
+            addPicture(image);
+    const auto objects = document.scene().objects();
+    return io::Value::Object{{"objects", megabytes(objects) + double(objects.size()) * kIndexed / 1e6},
+                             {"geometry", geometry},
+                             {"pictures", pictures},
+                             {"heights", document.assets().heights ? megabytes(document.assets().heights->metres) : 0.0}};
+}
+
 void print(const io::Value& figures)
 {
     for (const auto& [name, value] : *figures.asObject())
         if (value.asNumber())
-            fmt::print("{:22}{:.6g}\n", name, *value.asNumber());
+            fmt::print("{:26}{:.6g}\n", name, *value.asNumber());
         else if (value.asString())
-            fmt::print("{:22}{}\n", name, *value.asString());
+            fmt::print("{:26}{}\n", name, *value.asString());
+    for (const auto& [kind, megabytes] : *figures.find("memory_mb")->asObject())
+        fmt::print("memory {:19}{:.1f} MB\n", kind, *megabytes.asNumber());
     for (const io::Value& pass : *figures.find("passes")->asArray())
-        fmt::print("pass {:17}cpu {:.3f} ms, gpu {:.3f} ms\n", *pass.find("name")->asString(),
+        fmt::print("pass {:21}cpu {:.3f} ms, gpu {:.3f} ms\n", *pass.find("name")->asString(),
                    *pass.find("cpu_ms")->asNumber(), *pass.find("gpu_ms")->asNumber());
 }
 
@@ -159,11 +249,17 @@ int bench(const Options& options)
     const double start = now(); // the first frame takes the world onto the device
     (*studio)->follow(*document);
     drawFrame(renderer, flight->at(0, 1), drawing, options.size, 0);
-    const double firstFrame = now() - start;
+    const double firstFrame = now() - start, firstFrameAt = sinceProcessStart();
+    const double firstFrameProcessor = clockMs(CLOCK_PROCESS_CPUTIME_ID);
     io::Value figures = figuresOf(measure(renderer, *flight, drawing, options));
     figures["load_ms"] = milliseconds;
     figures["first_frame_ms"] = firstFrame;
+    figures["first_frame_at_ms"] = firstFrameAt;
+    figures["first_frame_processor_ms"] = firstFrameProcessor;
     figures["peak_rss_mb"] = peakMegabytes();
+    io::Value memory = memoryOf(*document);
+    memory["gpu"] = double(renderer.stats().gpuBytes) / 1e6;
+    figures["memory_mb"] = std::move(memory);
     figures["gl_renderer"] = renderer.deviceName();
     figures["size"] = io::Value::Array{options.size.x, options.size.y};
     if (options.json != "-") print(figures);

@@ -156,11 +156,16 @@ TEST_F(Commands, benchReportsEveryFigure)
     const io::Value figures = json(ran.out);
     for (const char* key :
          {"median_ms", "p95_ms", "p99_ms", "load_ms", "first_frame_ms", "draw_calls", "triangles_submitted",
-          "triangles_drawn", "instances", "instances_drawn", "grass_blades", "peak_rss_mb"})
+          "triangles_drawn", "instances", "instances_drawn", "grass_blades", "peak_rss_mb", "processor_ms", "submit_ms"})
         EXPECT_GE(number(figures, key), 0) << key;
     EXPECT_EQ(figures.find("frames_ms")->asArray()->size(), 5u);
     EXPECT_EQ(number(figures, "instances"), 6);
     EXPECT_GT(number(figures, "peak_rss_mb"), 10);
+    EXPECT_GT(number(figures, "first_frame_at_ms") + 10, number(figures, "load_ms") + number(figures, "first_frame_ms"));
+    EXPECT_LT(number(figures, "first_frame_at_ms"), 300'000);
+    for (const char* kind : {"objects", "geometry", "pictures", "heights", "gpu"})
+        EXPECT_GE(number(*figures.find("memory_mb"), kind), 0) << kind;
+    EXPECT_GT(number(*figures.find("memory_mb"), "geometry"), 0);
     EXPECT_FALSE(figures.find("passes")->asArray()->empty());
     EXPECT_FALSE(text(figures, "gl_renderer").empty());
 }
