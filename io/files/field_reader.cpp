@@ -113,6 +113,29 @@ Value atomOrList(JsonValue value)
     return isObject(value) ? Value{Value::Object{}} : atom(value);
 }
 
+std::optional<Value> readNumbers(JsonValue value, std::span<double> numbers)
+{
+    if (!isArray(value)) return atomOrList(value);
+    Value::Array items; // once there is something else
+    std::size_t count = 0;
+    bool plain = true;
+    const auto giveUp = [&] {
+        items.assign(numbers.begin(), numbers.begin() + std::ptrdiff_t(count));
+        plain = false;
+    };
+    for (auto item : value.get_array()) {
+        JsonValue one = item.value();
+        if (plain && (count == numbers.size() || one.type() != json_type::number)) giveUp();
+        if (plain)
+            numbers[count++] = number(one);
+        else
+            items.push_back(atom(one));
+    }
+    if (plain && count == numbers.size()) return std::nullopt;
+    if (plain) giveUp();
+    return items;
+}
+
 Status readRoot(Source& source, const std::function<void(JsonObject)>& read)
 {
     constexpr std::string_view kMark = "\xEF\xBB\xBF"; // byte order mark

@@ -9,6 +9,8 @@
 
 #include <array>
 #include <functional>
+#include <optional>
+#include <span>
 
 namespace io {
 
@@ -64,6 +66,7 @@ bool isArray(JsonValue& value);
 const char* startOf(JsonValue& value);
 std::string rawText(JsonValue value); // compact, checked to be JSON
 Value atomOrList(JsonValue value);    // a list of atoms at most; anything deeper shows as null
+std::optional<Value> readNumbers(JsonValue value, std::span<double> numbers); // what it is if no list of so many numbers
 
 // ---- reading by type ------------------------------------------------------------------------------------------
 
@@ -163,10 +166,26 @@ void readList(T& target, JsonValue value, const Hint& hint, const Place& place, 
     }
 }
 
+template <GlmVector T> bool setVector(T& target, std::span<const double> numbers, const Hint& hint)
+{
+    T read = target;
+    for (int i = 0; i < VectorTraits<T>::kSize; ++i)
+        if (fromValue(read[i], Value{numbers[std::size_t(i)]}, hint, Reading::File)) return false;
+    target = read;
+    return true;
+}
+
 template <class T> void readLeaf(T& target, JsonValue value, const Hint& hint, const Place& place, Source& source)
 {
     const char* at = startOf(value);
-    const Value read = atomOrList(value);
+    std::optional<Value> other;
+    if constexpr (GlmVector<T>) { // most of a large scene: no Value is made of them unless something is wrong
+        std::array<double, VectorTraits<T>::kSize> numbers{};
+        other = readNumbers(value, numbers);
+        if (!other && setVector(target, numbers, hint)) return;
+        if (!other) other = Value::Array(numbers.begin(), numbers.end());
+    }
+    const Value read = other ? *std::move(other) : atomOrList(value);
     if (const FieldFault fault = fromValue(target, read, hint, Reading::File)) {
         source.complain(Severity::Error, at, place, *fault);
         clampToHint(target, read, hint);

@@ -140,6 +140,14 @@ TEST(SceneFile, FaultsOfObjectsAreNamedWithTheirLine)
               "s.json:2: position: 100000000 is outside -10000000 to 10000000 m\n");
     EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":"oak","position":[1e999,0,0]})")}.faults(),
               "s.json:2: position: must be a finite number\n");
+    EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":"oak","position":[1e999,"2",3]})")}.faults(),
+              "s.json:2: position: must be a finite number\n");
+    EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":"oak","position":[1,2]})")}.faults(),
+              "s.json:2: position: expected 3 numbers in brackets, found a list of 2\n");
+    EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":"oak","position":[1,2,3,"4"]})")}.faults(),
+              "s.json:2: position: expected 3 numbers in brackets, found a list of 4\n");
+    EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":"oak","position":[]})")}.faults(),
+              "s.json:2: position: expected 3 numbers in brackets, found a list of 0\n");
     EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":"oak","scale":[1,0,1]})")}.faults(),
               "s.json:2: scale: 0 is too small; made 0.000001\n");
     EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":7})")}.faults(),
