@@ -12,8 +12,7 @@ namespace {
 struct Coming {
     std::string_view key, now;
 };
-constexpr std::array<Coming, 7> kComing{{{"occlusion", "off"},
-                                         {"ao", "off"},
+constexpr std::array<Coming, 6> kComing{{{"ao", "off"},
                                          {"grass", "off"},
                                          {"bloom", "off"},
                                          {"wind", "off"},

@@ -11,7 +11,7 @@ void see(const CullScene& scene, const glsl::CullView& view, std::uint32_t slot,
     const glsl::CullModel& model = scene.models[record.model];
     const glsl::LevelChoice choice = glsl::chooseLevel(record, model, view);
     const bool fading = choice.share < DRAWN_FADE_STEPS;
-    const std::uint32_t kind = model.firstBin + (record.flags & CULL_MIRRORED ? 2 : 0) + (fading ? 1 : 0);
+    const std::uint32_t kind = glsl::binOf(model, record, 0, fading);
     const auto add = [&](std::uint32_t level, std::uint32_t fade) {
         seen.push_back({slot | level << DRAWN_LEVEL_SHIFT | fade << DRAWN_FADE_SHIFT, kind + level * 4});
     };

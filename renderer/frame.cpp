@@ -21,15 +21,16 @@ Picture Renderer::State::render(const FrameInput& in)
     const Viewpoint viewpoint = look(in);
     canvas.resize("picture", viewpoint.eye.size);
     scenery.world.select(in.selection);
-    scenery.world.upload();
+    scenery.world.upload(culledOnGpu(in.settings));
     impostors.render(gpu, scenery.world.models(), scenery.world.impostors());
     gpu.constants(VIEW_BINDING, viewpoint.view);
     gpu.constants(LIGHT_BINDING, viewpoint.light);
 
     skyTables.update(gpu, viewpoint.light);
-    const GeometryPass::Drawn drawn = choose(gpu, in, viewpoint);
+    scenery.terrain.aim(viewpoint.eye);
     shadow.render(gpu, scenery, viewpoint, in.settings);
-    const GBuffer& surfaces = geometry.render(gpu, scenery, viewpoint, drawn);
+    const GeometryPass::Drawn drawn = drawSurfaces(gpu, in, viewpoint);
+    const GBuffer& surfaces = geometry.finish();
 
     Radiance& hdr = lighting.render(gpu, surfaces, viewpoint, in.settings);
     sky.render(gpu, hdr, viewpoint);
@@ -65,32 +66,55 @@ Viewpoint Renderer::State::look(const FrameInput& in) const
     return v;
 }
 
-// The objects and the ground that the camera sees.
-GeometryPass::Drawn Renderer::State::choose(GpuFrame& gpu, const FrameInput& in, const Viewpoint& viewpoint)
+// The objects and the ground that the camera sees, into the GBuffer. Objects first: the ground, whose pixels cost more,
+// is then drawn only where it shows.
+GeometryPass::Drawn Renderer::State::drawSurfaces(GpuFrame& gpu, const FrameInput& in, const Viewpoint& viewpoint)
 {
-    const auto scope = gpu.scope("cull");
     const Eye& eye = viewpoint.eye;
     const std::optional<Volume> volume = in.settings.culling ? std::optional{volumeOf(eye)} : std::nullopt;
-    scenery.world.models().bindMaterials();
-    scenery.terrain.aim(eye);
+    const CullRequest request{.volume = volume,
+                              .eye = eye.position,
+                              .smallestAngle = float(kSmallestPixels / 2 * viewpoint.view.pixelAngle),
+                              .errorAngle = in.settings.lod ? in.settings.lodPixels * viewpoint.view.pixelAngle : 0.0f,
+                              .impostors = true,
+                              .refused = in.markers ? 0u : CULL_MARKER};
+    const bool occlusion = in.settings.culling && in.settings.occlusion && culledOnGpu(in.settings);
     GeometryPass::Drawn drawn;
-    drawn.objects = scenery.world.draws(gpu.stream(),
-                                        {.volume = volume,
-                                         .eye = eye.position,
-                                         .smallestAngle = float(kSmallestPixels / 2 * viewpoint.view.pixelAngle),
-                                         .errorAngle = in.settings.lod ? in.settings.lodPixels * viewpoint.view.pixelAngle : 0.0f,
-                                         .impostors = true,
-                                         .refused = in.markers ? 0u : CULL_MARKER},
-                                        true);
-    drawn.ground = scenery.terrain.draws(gpu.stream(), volume);
-
-    stats.instances = scenery.world.instances();
-    stats.instancesDrawn = drawn.objects.visible;
-    stats.trianglesDrawn = drawn.ground.triangles;
-    for (const std::vector<DrawRange>* ranges : {&drawn.objects.opaque, &drawn.objects.blended})
-        for (const DrawRange& range : *ranges)
-            stats.trianglesDrawn += range.triangles;
+    {
+        const auto scope = gpu.scope("cull");
+        drawn.objects = chooser.choose(gpu, scenery, request, in.settings, occlusion);
+        drawn.ground = scenery.terrain.draws(gpu.stream(), volume);
+    }
+    {
+        const auto scope = gpu.scope("geometry");
+        geometry.begin(viewpoint);
+        for (const DrawList& list : drawn.objects)
+            geometry.drawObjects(gpu, scenery, list);
+        geometry.drawGround(gpu, scenery, drawn.ground);
+    }
+    if (occlusion) {
+        const auto scope = gpu.scope("what came into sight");
+        const gl::Texture& farthest = pyramid.make(gpu, geometry.targets().depth);
+        drawn.objects.push_back(chooser.chooseRest(gpu, scenery, request, farthest));
+        geometry.drawObjects(gpu, scenery, drawn.objects.back());
+    }
+    count(drawn);
     return drawn;
+}
+
+void Renderer::State::count(const GeometryPass::Drawn& drawn)
+{
+    const glsl::CullCounts& counts = chooser.counts();
+    stats.instances = scenery.world.instances();
+    stats.instancesDrawn = counts.drawn;
+    stats.instancesInside = counts.inside;
+    stats.instancesHidden = counts.hidden;
+    stats.trianglesDrawn = drawn.ground.triangles;
+    for (const DrawList& list : drawn.objects)
+        for (std::size_t level = 0; level < MOST_LEVELS; ++level) {
+            stats.trianglesOfLevel[level] += list.trianglesOfLevel[level];
+            stats.trianglesDrawn += list.trianglesOfLevel[level];
+        }
 }
 
 } // namespace renderer

@@ -91,6 +91,8 @@ void ModelLibrary::clear()
     m_known.clear();
     m_bins.clear();
     m_cullModels.clear();
+    ++m_revision;
+    m_blends = false;
     m_batches.clear();
     m_newVertices.clear();
     m_newIndices.clear();
@@ -267,6 +269,8 @@ int ModelLibrary::add(const std::shared_ptr<const io::Model>& model, bool impost
         for (const bool mirrored : {false, true})
             for (const bool fading : {false, true})
                 m_bins.push_back({.model = size(), .level = level, .mirrored = mirrored, .fading = fading});
+    ++m_revision;
+    m_blends |= entry.blended;
     m_cullModels.push_back(cullModelOf(entry));
     m_entries.push_back(std::move(entry));
     m_models.push_back(model);

@@ -84,6 +84,8 @@ public:
     const ImpostorAtlas& impostors() const { return m_impostors; }
     ImpostorAtlas& impostors() { return m_impostors; }
     void clear();
+    std::uint64_t revision() const { return m_revision; } // counts models that came or went
+    bool blends() const { return m_blends; }               // some model has parts that do
 
     void upload(); // what was added since the last call
     GLuint vertices() const { return m_vertexBuffer.id(); }
@@ -115,6 +117,8 @@ private:
     std::vector<ModelEntry> m_entries;
     std::vector<std::shared_ptr<const io::Model>> m_models; // keeps the keys of m_known alive
     std::map<std::pair<const io::Model*, bool>, int> m_known; // with or without an impostor
+    std::uint64_t m_revision = 0;
+    bool m_blends = false;
     std::vector<Bin> m_bins;
     std::vector<glsl::CullModel> m_cullModels; // beside m_entries
     std::vector<Batch> m_batches;

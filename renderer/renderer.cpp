@@ -46,7 +46,7 @@ io::Image readTexture(const gl::Texture& texture, int channels, io::PixelType ty
 } // namespace
 
 Renderer::State::State(const Options& options)
-    : debug{options.debug}, shaders{options.shaders}, impostors{shaders}, skyTables{shaders}, shadow{shaders}, geometry{shaders},
+    : debug{options.debug}, shaders{options.shaders}, impostors{shaders}, chooser{shaders}, pyramid{shaders}, skyTables{shaders}, shadow{shaders}, geometry{shaders},
       lighting{shaders}, sky{shaders}, transparent{shaders}, toneMap{shaders}, show{shaders},
       overlay{shaders}, thumbnails{shaders}
 {
@@ -121,7 +121,6 @@ Picture Renderer::thumbnail(io::TemplateId id, int pixels)
     const int side = std::clamp(pixels, 8, 1024);
     if (const Picture kept = m_state->thumbnails.kept(id, side); kept.texture) return kept;
     const FrameStats shown = m_state->stats; // stay those of the picture
-    m_state->scenery.world.upload();
     Picture made;
     {
         GpuFrame gpu{m_state->stream, m_state->timers, m_state->stats, m_state->empty};

@@ -9,6 +9,7 @@
 #include "io/scene/scene.h"
 #include "renderer/settings.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -57,7 +58,10 @@ struct FrameStats {
     std::uint64_t trianglesSubmitted = 0;  // all passes
     std::uint64_t trianglesDrawn = 0;      // those of the camera's view
     std::uint64_t instances = 0;           // in the scene
-    std::uint64_t instancesDrawn = 0;      // in the camera's view
+    std::uint64_t instancesDrawn = 0;      // in the camera's view; where the GPU culls, of a frame a little earlier
+    std::uint64_t instancesInside = 0;     // in the camera's view, however small or hidden; 0: not counted
+    std::uint64_t instancesHidden = 0;     // behind other things
+    std::array<std::uint64_t, 8> trianglesOfLevel{}; // of objects by level of detail, where the CPU culls
     std::uint64_t gpuBytes = 0;            // buffers and textures of ours
 };
 

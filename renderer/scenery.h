@@ -12,6 +12,7 @@ namespace renderer {
 
 struct Scenery {
     World world;
+    CullTable cullTable;
     Terrain terrain;
     GroundShadow groundShadow;
     io::Environment environment;

@@ -13,9 +13,12 @@ namespace renderer {
 enum class AntiAliasing { Off, Fxaa };
 enum class ToneMap { Agx, Neutral, Aces, Reinhard };
 enum class Shading { Pbr, BlinnPhong };
+enum class Culler { Auto, Cpu, Gpu }; // auto: the GPU where there is one
 
 struct Settings {
     bool culling = true; // what the camera or a cascade cannot see is not drawn; the picture is the same without
+    Culler culler = Culler::Auto;
+    bool occlusion = true; // what stands behind other things is not drawn; known to the GPU only
     bool lod = true;     // things are drawn coarser where that is not to be seen
     bool shadows = true;
     bool clouds = true;
@@ -35,11 +38,14 @@ struct Settings {
 
 constexpr auto enumNames(AntiAliasing) { return std::array<std::string_view, 2>{"off", "fxaa"}; }
 constexpr auto enumNames(ToneMap) { return std::array<std::string_view, 4>{"agx", "neutral", "aces", "reinhard"}; }
+constexpr auto enumNames(Culler) { return std::array<std::string_view, 3>{"auto", "cpu", "gpu"}; }
 constexpr auto enumNames(Shading) { return std::array<std::string_view, 2>{"pbr", "blinn-phong"}; }
 
 void fields(auto& v, io::Of<Settings> auto& s)
 {
     v("culling", s.culling, io::Hint{});
+    v("culler", s.culler, io::Hint{});
+    v("occlusion", s.occlusion, io::Hint{});
     v("lod", s.lod, io::Hint{});
     v("shadows", s.shadows, io::Hint{});
     v("clouds", s.clouds, io::Hint{});

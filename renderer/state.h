@@ -1,6 +1,7 @@
 // What a renderer owns: the mirror of the scene, the passes, and what the last frame left.
 #pragma once
 
+#include "renderer/choosing.h"
 #include "renderer/gl/debug.h"
 #include "renderer/impostor_baker.h"
 #include "renderer/passes/geometry.h"
@@ -21,7 +22,8 @@ struct Renderer::State {
 
     Picture render(const FrameInput& in);
     Viewpoint look(const FrameInput& in) const;
-    GeometryPass::Drawn choose(GpuFrame& gpu, const FrameInput& in, const Viewpoint& viewpoint);
+    GeometryPass::Drawn drawSurfaces(GpuFrame& gpu, const FrameInput& in, const Viewpoint& viewpoint);
+    void count(const GeometryPass::Drawn& drawn);
 
     gl::DebugOutput debug;
     ShaderLibrary shaders;
@@ -32,6 +34,8 @@ struct Renderer::State {
 
     Scenery scenery;
     ImpostorBaker impostors;
+    ViewChooser chooser; // the camera's
+    DepthPyramid pyramid;
     SkyTables skyTables;
     ShadowPass shadow;
     GeometryPass geometry;

@@ -12,11 +12,10 @@ namespace {
 constexpr std::uint32_t kGap = 64;     // slots between two changed ones that go up together
 constexpr std::size_t kFewPlaces = 256; // more changed places than this count as everywhere
 
-// Writes what `slots` (any order, perhaps doubled; emptied) name of `values` into `buffer`; answers the bytes.
+// Writes what `slots` (in order, perhaps doubled) name of `values` into `buffer`; answers the bytes.
 template <class T>
-std::uint64_t writeSlots(gl::Buffer& buffer, std::span<const T> values, std::vector<std::uint32_t>& slots)
+std::uint64_t writeSlots(gl::Buffer& buffer, std::span<const T> values, std::span<const std::uint32_t> slots)
 {
-    std::ranges::sort(slots);
     std::uint64_t written = 0;
     for (std::size_t i = 0; i < slots.size();) {
         const std::uint32_t first = slots[i];
@@ -29,7 +28,6 @@ std::uint64_t writeSlots(gl::Buffer& buffer, std::span<const T> values, std::vec
         buffer.write(first * sizeof(T), bytes);
         written += bytes.size();
     }
-    slots.clear();
     return written;
 }
 
@@ -98,6 +96,7 @@ void World::rebuild(const io::Scene& scene, const io::Assets& assets)
     m_bounds = {};
     m_tree.clear();
     m_dirty.clear();
+    m_onGpu = false;
     m_selection.clear();
     m_touched.clear();
     ++m_revision;
@@ -176,7 +175,7 @@ void World::place(std::uint32_t slot, const io::Object& object)
     const glm::vec3 size = glm::abs(object.transform.scale);
     const double radius = double(model.radius) * std::max({size.x, size.y, size.z});
     const std::uint32_t kind = (state.castShadow ? CULL_CASTS_SHADOW : 0) | (state.marker ? CULL_MARKER : 0) |
-                                (isMirrored(object.transform) ? CULL_MIRRORED : 0);
+                                (isMirrored(object.transform) ? CULL_MIRRORED : 0) | (model.blended ? CULL_BLENDS : 0);
     m_cullRecords[slot] = cullRecord(centre, radius, std::uint32_t(state.model), kind);
     const io::WorldBox box = boxOf(m_cullRecords[slot]);
     m_bounds.add(box);
@@ -234,11 +233,25 @@ void World::select(std::span<const io::ObjectId> ids)
         setFlags(id, INSTANCE_SELECTED);
 }
 
-void World::upload()
+void World::upload(bool culledThere)
 {
+    if (!culledThere) { // views copy what they draw
+        m_dirty.clear();
+        m_onGpu = false;
+        return;
+    }
     gl::grow(m_recordBuffer, "instances", std::max<std::size_t>(m_records.size(), 1) * sizeof(glsl::Instance),
              m_recordBuffer.bytes());
+    gl::grow(m_cullBuffer, "spheres of instances", std::max<std::size_t>(m_records.size(), 1) * sizeof(glsl::CullRecord),
+             m_cullBuffer.bytes());
+    if (!std::exchange(m_onGpu, true)) {
+        m_dirty.resize(m_records.size());
+        std::iota(m_dirty.begin(), m_dirty.end(), 0u);
+    }
+    std::ranges::sort(m_dirty);
     m_uploadedBytes += writeSlots(m_recordBuffer, std::span<const glsl::Instance>{m_records}, m_dirty);
+    m_uploadedBytes += writeSlots(m_cullBuffer, std::span<const glsl::CullRecord>{m_cullRecords}, m_dirty);
+    m_dirty.clear();
 }
 
 DrawList World::draws(GpuStream& stream, const CullRequest& request, bool blended) const

@@ -6,6 +6,7 @@
 #include "io/scene/scene.h"
 #include "renderer/cull.h"
 #include "renderer/draw_list.h"
+#include "renderer/gpu_culling.h"
 #include "renderer/model_library.h"
 #include "renderer/shaders/shared/instance.h"
 
@@ -19,10 +20,12 @@ class World {
 public:
     void update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes);
     void select(std::span<const io::ObjectId> ids); // marked in the GBuffer
-    void upload();                                  // what changed since the last call
+    void upload(bool culledThere);                  // what changed since the last call, where the GPU culls
 
     // Draws for all that `request` lets through.
     DrawList draws(GpuStream& stream, const CullRequest& request, bool blended) const;
+
+    GpuCullScene gpuScene() const { return {m_recordBuffer.id(), m_cullBuffer.id(), m_records.size()}; }
 
     const ModelLibrary& models() const { return m_models; }
     ImpostorAtlas& impostors() { return m_models.impostors(); }
@@ -69,7 +72,8 @@ private:
     std::vector<io::ObjectId> m_selection;
     bool m_selectionStale = false;
     std::vector<glm::dvec4> m_touched;
-    gl::Buffer m_recordBuffer;
+    gl::Buffer m_recordBuffer, m_cullBuffer;
+    bool m_onGpu = false; // the buffers hold what was there at the last upload
     io::WorldBox m_bounds;
     std::uint64_t m_uploadedBytes = 0;
     std::uint64_t m_revision = 0;

@@ -1,5 +1,7 @@
 #include "io/files/image_bytes.h"
 
+#include "io/files/image_file.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -10,6 +12,11 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::string_view kPngStart = "\x89PNG\r\n\x1a\n"sv;
+
+std::string words(std::int64_t width, std::int64_t height)
+{
+    return std::to_string(width) + " x " + std::to_string(height) + " pixels";
+}
 
 std::uint32_t bigEndian(std::string_view bytes, std::size_t at, int count)
 {
@@ -106,6 +113,26 @@ std::optional<glm::u32vec2> declaredSize(std::string_view bytes)
         if (frame && segment.size() >= 9) size = glm::u32vec2{bigEndian(segment, 7, 2), bigEndian(segment, 5, 2)};
     });
     return size;
+}
+
+Status checkSides(std::int64_t width, std::int64_t height, const std::string& where)
+{
+    if (width < 1 || height < 1) return Error{where, "an image of " + words(width, height)};
+    if (width > kLargestSide || height > kLargestSide)
+        return Error{where, words(width, height) + "; a side may have at most " + std::to_string(kLargestSide)};
+    return {};
+}
+
+Status checkSize(const DecodedSize& size, const std::string& where)
+{
+    const auto [width, height] = std::pair{std::int64_t(size.pixels.x), std::int64_t(size.pixels.y)};
+    if (Status sides = checkSides(width, height, where); !sides) return sides;
+    if (size.channels < 1 || size.channels > 64) // further channels than four are passed over
+        return Error{where, std::to_string(size.channels) + " channels; at most 4 are used"};
+    const auto sample = std::max<std::uint64_t>(size.sampleBytes, 1);
+    if (std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(size.channels) * sample > kLargestImage)
+        return Error{where, words(width, height) + " are more than 512 MiB; make it smaller"};
+    return {};
 }
 
 std::string_view imageFormat(std::string_view bytes)

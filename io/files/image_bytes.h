@@ -1,6 +1,9 @@
-// What can be told of an image from its bytes without a decoder: its format, and what of it need not be decoded.
+// What can be told of an image without a decoder: its format, what of it need not be decoded, and whether it is too large.
 #pragma once
 
+#include "io/base/result.h"
+
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -20,5 +23,14 @@ std::string headerFault(std::string_view bytes);
 
 // Pixels of a PNG or JPEG as its header has them, for decoders that begin their work before they tell the size.
 std::optional<glm::u32vec2> declaredSize(std::string_view bytes);
+
+// A decoder may hold the whole native image: these count that as well as what comes out of it.
+struct DecodedSize {
+    glm::ivec2 pixels;
+    int channels;
+    std::size_t sampleBytes;
+};
+Status checkSides(std::int64_t width, std::int64_t height, const std::string& where);
+Status checkSize(const DecodedSize& size, const std::string& where);
 
 } // namespace io

@@ -2,6 +2,7 @@
 
 #include "io/files/atomic_file.h"
 #include "io/files/image_bytes.h"
+#include "io/files/png_file.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -23,33 +24,13 @@ std::string reason(std::string message)
     return message.empty() ? "no reason given" : message;
 }
 
-std::string words(std::int64_t width, std::int64_t height)
-{
-    return std::to_string(width) + " x " + std::to_string(height) + " pixels";
-}
-
-Status checkSides(std::int64_t width, std::int64_t height, const std::string& where)
-{
-    if (width < 1 || height < 1) return refused(where, "an image of " + words(width, height));
-    if (width > kLargestSide || height > kLargestSide)
-        return refused(where, words(width, height) + "; a side may have at most " + std::to_string(kLargestSide));
-    return {};
-}
-
 // What a decoder is about to make is checked before it makes it.
 Status checkHeader(const OIIO::ImageSpec& spec, const std::string& where)
 {
-    if (Status sides = checkSides(spec.width, spec.height, where); !sides) return sides;
     if (spec.get_int_attribute("tiff:RowsPerStrip", 1) < 1) // any format may carry it, and the library divides by it
         return refused(where, "its rows are damaged");
     if (spec.deep || spec.depth > 1) return refused(where, "deep or volume images are not supported; flatten it");
-    if (spec.nchannels < 1 || spec.nchannels > 64) // further channels than four are passed over
-        return refused(where, std::to_string(spec.nchannels) + " channels; at most 4 are used");
-    // A decoder may hold the whole native image: count that as well as what comes out of it.
-    const auto sample = std::max<std::uint64_t>(spec.format.size(), 1);
-    if (std::uint64_t(spec.width) * spec.height * spec.nchannels * sample > kLargestImage)
-        return refused(where, words(spec.width, spec.height) + " are more than 512 MiB; make it smaller");
-    return {};
+    return checkSize({{spec.width, spec.height}, spec.nchannels, spec.format.size()}, where);
 }
 
 PixelType pixelType(const OIIO::TypeDesc& format)
@@ -98,6 +79,7 @@ Result<Image> decode(std::string_view bytes, const std::string& where)
     if (const auto size = declaredSize(bytes))
         if (Status sides = checkSides(size->x, size->y, where); !sides) return sides.error();
     const std::string clean = withoutMetadata(bytes);
+    if (format == "png") return decodePng(clean, where);
     OIIO::Filesystem::IOMemReader memory{clean.data(), clean.size()};
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);

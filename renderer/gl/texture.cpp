@@ -1,6 +1,7 @@
 #include "renderer/gl/texture.h"
 
 #include "io/base/contract.h"
+#include "renderer/gl/machine.h"
 
 #include <algorithm>
 #include <bit>
@@ -30,19 +31,10 @@ std::uint64_t bytesOf(const TextureDesc& desc)
 }
 
 // Software GL pays for every sample: it goes without anisotropy, and takes the nearest mip.
-bool software()
-{
-    static const bool result = [] {
-        const std::string_view device{reinterpret_cast<const char*>(glGetString(GL_RENDERER))};
-        return device.find("llvmpipe") != device.npos || device.find("softpipe") != device.npos;
-    }();
-    return result;
-}
-
 float anisotropy()
 {
     static const float best = [] {
-        if (software() || !epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) return 1.0f;
+        if (drawsInSoftware() || !epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) return 1.0f;
         GLfloat most = 1;
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
         return std::min(most, 8.0f);
@@ -53,7 +45,7 @@ float anisotropy()
 void setSampling(GLuint id, const TextureDesc& desc)
 {
     const bool linear = desc.filter == GL_LINEAR;
-    const GLenum smooth = desc.anisotropic && software() ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR;
+    const GLenum smooth = desc.anisotropic && drawsInSoftware() ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR;
     const GLenum mipped = linear ? smooth : GL_NEAREST_MIPMAP_NEAREST;
     glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GLint(desc.mips > 1 ? mipped : desc.filter));
     glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GLint(desc.filter));

@@ -43,18 +43,20 @@ void GeometryPass::resize(glm::ivec2 size)
                                      .depth = &m_targets.depth}};
 }
 
-const GBuffer& GeometryPass::render(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Drawn& drawn)
+void GeometryPass::begin(const Viewpoint& viewpoint)
 {
-    const auto scope = gpu.scope("geometry");
     resize(viewpoint.eye.size);
     constexpr GLuint kNobody[4] = {};
     m_framebuffer.clearDepth(0);
     glClearNamedFramebufferuiv(m_framebuffer.id(), GL_COLOR, 3, kNobody);
-    m_framebuffer.bind();
+}
 
-    // Objects first: the ground, whose pixels cost more, is then drawn only where it shows.
+void GeometryPass::drawObjects(GpuFrame& gpu, const Scenery& scenery, const DrawList& objects)
+{
+    m_framebuffer.bind();
     const ModelLibrary& models = scenery.world.models();
-    drawRanges(gpu, m_objects, models, drawn.objects, drawn.objects.opaque, [&](const DrawRange& range) {
+    models.bindMaterials();
+    drawRanges(gpu, m_objects, models, objects, objects.opaque, [&](const DrawRange& range) {
         const Batch& batch = models.batches()[std::size_t(range.batch)];
         gl::apply({.depthTest = GL_GREATER,
                    .depthWrite = true,
@@ -63,11 +65,19 @@ const GBuffer& GeometryPass::render(GpuFrame& gpu, Scenery& scenery, const Viewp
         bindArrays(gpu, models, batch);
         return gpu.use(m_programs.of(batch, range.fading));
     });
-    if (scenery.terrain.present() && gpu.use(groundProgram(scenery.terrain.layers()))) {
-        gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GL_BACK});
-        scenery.terrain.bind(gpu, true);
-        scenery.terrain.draw(gpu, drawn.ground);
-    }
+}
+
+void GeometryPass::drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draw& ground)
+{
+    if (!scenery.terrain.present() || !gpu.use(groundProgram(scenery.terrain.layers()))) return;
+    m_framebuffer.bind();
+    gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GL_BACK});
+    scenery.terrain.bind(gpu, true);
+    scenery.terrain.draw(gpu, ground);
+}
+
+const GBuffer& GeometryPass::finish()
+{
     glTextureBarrier(); // later passes read these textures while depth stays attached, unwritten
     return m_targets;
 }

@@ -20,10 +20,13 @@ public:
     explicit GeometryPass(ShaderLibrary& shaders);
 
     struct Drawn { // the camera's lists, for passes that draw the same things again
-        DrawList objects;
+        std::vector<DrawList> objects;
         Terrain::Draw ground;
     };
-    const GBuffer& render(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Drawn& drawn);
+    void begin(const Viewpoint& viewpoint); // empty targets
+    void drawObjects(GpuFrame& gpu, const Scenery& scenery, const DrawList& objects);
+    void drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draw& ground);
+    const GBuffer& finish();                // what later passes may read
     const GBuffer& targets() const { return m_targets; }
 
 private:

@@ -21,7 +21,8 @@ const gl::Program& ObjectPrograms::of(const Batch& batch, bool fading)
         defines.insert(defines.end(), m_defines.begin(), m_defines.end());
         const bool impostor = features & kFeatureImpostor;
         const std::string vertex = impostor ? "impostors" : "objects";
-        const std::string fragment = m_fragment == "objects" ? vertex : m_fragment;
+        const bool own = impostor && (m_fragment == "objects" || m_fragment == "shadow");
+        const std::string fragment = !own ? m_fragment : m_fragment == "objects" ? "impostors" : "impostors_shadow";
         program = &m_shaders.program({.label = fragment,
                                       .stages = {vertex + ".vert.glsl", fragment + ".frag.glsl"},
                                       .defines = std::move(defines)});

@@ -58,14 +58,16 @@ void ShowPass::drawAgain(GpuFrame& gpu, Scenery& scenery, const GeometryPass::Dr
 {
     const ModelLibrary& models = scenery.world.models();
     models.bindMaterials();
-    drawRanges(gpu, m_objects, models, drawn.objects, drawn.objects.opaque, [&](const DrawRange& range) {
+    const auto prepare = [&](const DrawRange& range) {
         const Batch& batch = models.batches()[std::size_t(range.batch)];
         gl::DrawState own = state;
         own.cull = batch.twoSided ? GL_NONE : GL_BACK;
         own.clockwise = range.mirrored;
         gl::apply(own);
         return gpu.use((levels ? m_objectLevels : m_flatObjects).of(batch));
-    });
+    };
+    for (const DrawList& objects : drawn.objects)
+        drawRanges(gpu, m_objects, models, objects, objects.opaque, prepare);
     if (!scenery.terrain.present() || !gpu.use(levels ? m_groundLevels : m_flatGround)) return;
     gl::DrawState own = state;
     own.cull = GL_BACK;

@@ -22,13 +22,13 @@ bool touched(const World& world, const Volume& volume)
 } // namespace
 
 ShadowPass::ShadowPass(ShaderLibrary& shaders)
-    : m_masked{shaders, "shadow", {"SHADOW"}, kFeatureMask | kFeatureUvTransform},
+    : m_masked{shaders, "shadow", {"SHADOW"}, kFeatureMask | kFeatureUvTransform | kFeatureImpostor},
       m_solid{shaders.program({.label = "shadow of solids",
                                .stages = {"objects.vert.glsl", "empty.frag.glsl"},
                                .defines = {"POSITION_ONLY"}})},
       m_ground{shaders.program({.label = "shadow of the ground", .stages = {"terrain.vert.glsl", "empty.frag.glsl"}})},
       m_objects{makeObjectVertexArray()},
-      m_lit{{.label = "no shadow", .size = {1, 1}, .layers = 1, .format = GL_DEPTH_COMPONENT32F, .compare = true}}
+      m_lit{{.label = "no shadow", .size = {1, 1}, .layers = 1, .format = GL_DEPTH_COMPONENT32F, .compare = true}}, m_shaders{shaders}
 {
     const float lit = 1;
     glClearTexImage(m_lit.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, &lit);
@@ -46,6 +46,8 @@ void ShadowPass::resize(int resolution, int layers)
     for (int layer = 0; layer < layers; ++layer)
         m_layers.emplace_back(gl::FramebufferDesc{.label = "shadow cascade", .depth = &m_maps, .depthLayer = layer});
     m_keys.assign(std::size_t(layers), {});
+    while (m_choosers.size() < std::size_t(layers))
+        m_choosers.push_back(std::make_unique<ViewChooser>(m_shaders));
 }
 
 const gl::Texture& ShadowPass::render(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Settings& settings)
@@ -82,6 +84,7 @@ void ShadowPass::renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint&
     const Cascade& cascade = viewpoint.cascades[index];
     glsl::View view = viewpoint.view;
     view.clipFromRelative = glm::mat4{cascade.clipFromRelative};
+    view.pixelAngle = float(cascade.texel);
     gpu.constants(VIEW_BINDING, view);
     m_layers[index].clearDepth(1);
     m_layers[index].bind();
@@ -89,21 +92,26 @@ void ShadowPass::renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint&
     // Slopes are pushed away from the light by part of their own depth range over a texel.
     gl::DrawState state{.depthTest = GL_LESS, .depthWrite = true, .depthClamp = true, .depthOffset = {1.25f, 2.0f}};
     const std::optional<Volume> volume = settings.culling ? std::optional{cascade.volume} : std::nullopt;
-    World& world = scenery.world;
-    const DrawList list = world.draws(gpu.stream(),
-                                      {.volume = volume,
-                                       .towardSun = viewpoint.towardSun,
-                                       .smallestRadius = float(cascade.texel * 0.5),
-                                       .errorLength = settings.lod ? float(cascade.texel) * kErrorTexels : 0.0f,
-                                       .required = CULL_CASTS_SHADOW},
-                                      false);
-    drawRanges(gpu, m_objects, world.models(), list, list.opaque, [&](const DrawRange& range) {
-        const Batch& batch = world.models().batches()[std::size_t(range.batch)];
-        const bool masked = batch.features & kFeatureMask;
+    const ModelLibrary& models = scenery.world.models();
+    const CullRequest request{.volume = volume,
+                              .towardSun = viewpoint.towardSun,
+                              .smallestRadius = float(cascade.texel * 0.5),
+                              .errorLength = settings.lod ? float(cascade.texel) * kErrorTexels : 0.0f,
+                              .impostors = true,
+                              .required = CULL_CASTS_SHADOW};
+    const auto prepare = [&](const DrawRange& range) {
+        const Batch& batch = models.batches()[std::size_t(range.batch)];
+        const bool masked = batch.features & (kFeatureMask | kFeatureImpostor);
         gl::apply(state);
-        if (masked) bindArrays(gpu, world.models(), batch);
+        if (masked) bindArrays(gpu, models, batch);
         return gpu.use(masked ? m_masked.of(batch) : m_solid);
-    });
+    };
+    const std::vector<DrawList> lists = m_choosers[index]->choose(gpu, scenery, request, settings, false);
+    models.bindMaterials();
+    m_layers[index].bind();
+    gpu.constants(VIEW_BINDING, view);
+    for (const DrawList& list : lists)
+        drawRanges(gpu, m_objects, models, list, list.opaque, prepare);
 
     if (!scenery.terrain.present() || !gpu.use(m_ground)) return;
     const Terrain::Draw ground = scenery.terrain.draws(gpu.stream(), volume);

@@ -1,6 +1,7 @@
 // Shadow maps of the sun: one layer and one draw a cascade, kept while neither light nor world nor box changed.
 #pragma once
 
+#include "renderer/choosing.h"
 #include "renderer/passes/object_programs.h"
 #include "renderer/scenery.h"
 
@@ -33,6 +34,8 @@ private:
     gl::Texture m_lit;
     std::vector<gl::Framebuffer> m_layers;
     std::vector<Key> m_keys;
+    ShaderLibrary& m_shaders;
+    std::vector<std::unique_ptr<ViewChooser>> m_choosers; // by cascade
 };
 
 } // namespace renderer

@@ -41,13 +41,15 @@ void TransparentPass::resize(const Radiance& radiance, const GBuffer& surfaces)
 }
 
 void TransparentPass::render(GpuFrame& gpu, Radiance& radiance, const GBuffer& surfaces, Scenery& scenery,
-                             const Viewpoint& viewpoint, const DrawList& objects, std::span<const Ghost> ghosts,
+                             const Viewpoint& viewpoint, std::span<const DrawList> objects, std::span<const Ghost> ghosts,
                              const Settings& settings)
 {
-    if (objects.blended.empty() && ghosts.empty()) return;
+    const auto blends = [](const DrawList& list) { return !list.blended.empty(); };
+    if (std::ranges::none_of(objects, blends) && ghosts.empty()) return;
     const auto scope = gpu.scope("transparent");
     resize(radiance, surfaces);
-    if (!objects.blended.empty()) drawBlended(gpu, scenery, viewpoint, objects, settings);
+    for (const DrawList& list : objects)
+        if (blends(list)) drawBlended(gpu, scenery, viewpoint, list, settings);
     if (!ghosts.empty()) drawGhosts(gpu, radiance, scenery, viewpoint, ghosts, settings);
 }
 

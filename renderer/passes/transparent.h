@@ -11,7 +11,7 @@ class TransparentPass {
 public:
     explicit TransparentPass(ShaderLibrary& shaders);
     void render(GpuFrame& gpu, Radiance& radiance, const GBuffer& surfaces, Scenery& scenery, const Viewpoint& viewpoint,
-                const DrawList& objects, std::span<const Ghost> ghosts, const Settings& settings);
+                std::span<const DrawList> objects, std::span<const Ghost> ghosts, const Settings& settings);
 
 private:
     void resize(const Radiance& radiance, const GBuffer& surfaces);

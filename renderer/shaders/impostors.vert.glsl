@@ -1,6 +1,7 @@
 // Quads of impostors. Everything happens in the model's own space, where its frames were made, so that any turn, scale
 // and mirror image of a copy comes out right.
 #include "records.glsl"
+#include "light.glsl"
 #include "shared/impostor.h"
 #include "view.glsl"
 
@@ -19,7 +20,10 @@ layout(location = 1) flat out float level;
 #ifdef FADE
 layout(location = 13) flat out uint fade;
 #endif
-#ifndef POSITION_ONLY
+#ifdef SHADOW
+layout(location = 0) out vec2 place;         // in its frame, in the frame's sides
+layout(location = 1) flat out vec4 frame;    // where it begins, layer, mip
+#elif !defined(POSITION_ONLY)
 layout(location = 0) out vec4 places01;     // in frames 0 and 1, in frames' sides
 layout(location = 1) out vec2 place2;
 layout(location = 2) flat out vec4 frames01; // where they begin
@@ -43,7 +47,11 @@ void main()
     float radius = inPlace.x;
 
     // From here on lengths are shares of the radius, seen from the centre.
+#ifdef SHADOW
+    vec3 eye = normalize(inverse(model) * light.towardSun) * 1e4;
+#else
     vec3 eye = -(inverse(model) * origin + inCentre) / radius;
+#endif
     eye.y = max(eye.y, -kSteepest * length(eye.xz));
     float distance_ = max(length(eye), 1.5);
     vec3 towardEye = normalize(eye);
@@ -53,8 +61,11 @@ void main()
     vec3 corner = right * (inCorner.x * extent.x) + up * (inCorner.y * extent.y);
     vec3 ray = corner - towardEye * distance_;
     float forward = inExtent.w * dot(abs(towardEye), inExtent.xyz);
-    vec3 place = corner - ray * (forward / distance_);
-    gl_Position = view.clipFromRelative * vec4(origin + model * (inCentre + place * radius), 1.0);
+#ifdef SHADOW
+    forward *= 0.35; // or the sunward half of what it stands for would lie in its shadow
+#endif
+    vec3 stands = corner - ray * (forward / distance_);
+    gl_Position = view.clipFromRelative * vec4(origin + model * (inCentre + stands * radius), 1.0);
 #ifdef LEVELS
     level = float(instanceLevel());
 #endif
@@ -62,7 +73,15 @@ void main()
     fade = instanceFade();
 #endif
 
-#ifndef POSITION_ONLY
+#ifdef SHADOW
+    vec3 f = frameDirection(floor(frameGrid(normalize(vec3(towardEye.x, max(towardEye.y, 0.0), towardEye.z))) + 0.5));
+    vec3 r = frameRight(f);
+    vec3 hit = corner - ray * (dot(corner, f) / dot(ray, f));
+    place = vec2(dot(hit, r), dot(hit, cross(f, r))) * (0.5 * IMPOSTOR_FILL) + 0.5;
+    float size = radius * pow(abs(determinant(model)), 1.0 / 3.0); // m
+    float texel = 0.5 * IMPOSTOR_FILL * float(IMPOSTOR_FRAME_TEXELS) * view.pixelAngle / size;
+    frame = vec4(floor(frameGrid(f) + 0.5), inPlace.y, clamp(floor(log2(texel)), 0.0, float(IMPOSTOR_MIPS - 1)));
+#elif !defined(POSITION_ONLY)
     // The cell's two corners on the diagonal, and the third of the triangle that the direction lies in.
     vec2 grid = frameGrid(normalize(vec3(towardEye.x, max(towardEye.y, 0.0), towardEye.z)));
     vec2 cell = min(floor(grid), float(IMPOSTOR_FRAMES - 2));

@@ -1,4 +1,5 @@
 // Placed objects into the GBuffer.
+#include "cutout.glsl"
 #include "fade.glsl"
 #include "gbuffer_out.glsl"
 #include "material.glsl"
@@ -11,7 +12,7 @@ void main()
 #endif
     MaterialSample m = sampleMaterial(gl_FrontFacing);
 #ifdef MASK
-    if (m.baseColour.a < surface.z) discard;
+    if (m.baseColour.a < cutoutThreshold(uvBase, vec2(textureSize(baseColours, 0).xy), surface.z, ids.x)) discard;
 #endif
     uint flags = ids.y >> 8;
     uint bits = (ids.y & INSTANCE_SELECTED) != 0u ? SURFACE_SELECTED : 0u;

@@ -7,6 +7,7 @@
 namespace {
 
 constexpr glm::ivec2 kSize{320, 180};
+constexpr std::uint64_t kUploaded = sizeof(glsl::Instance) + sizeof(glsl::CullRecord);
 const io::Camera kFront{.eye = {0, 1, 12}};
 
 struct Mirror {
@@ -16,7 +17,7 @@ struct Mirror {
     void update(const io::Changes& changes)
     {
         gpu.update(world.scene, world.assets, changes);
-        gpu.upload();
+        gpu.upload(true);
     }
 };
 
@@ -35,11 +36,11 @@ TEST_F(WorldTest, MovingOneObjectUploadsOneRecord)
     moved.transform.position.x += 1;
     m.world.scene.exchange(id, moved);
     m.update({.objects = {id}});
-    EXPECT_EQ(m.gpu.uploadedBytes() - before, sizeof(glsl::Instance));
+    EXPECT_EQ(m.gpu.uploadedBytes() - before, kUploaded);
 
     m.world.scene.exchange(id, std::nullopt);
     m.update({.objects = {id}});
-    EXPECT_EQ(m.gpu.uploadedBytes() - before, 2 * sizeof(glsl::Instance)) << "the last one took its place";
+    EXPECT_EQ(m.gpu.uploadedBytes() - before, 2 * kUploaded) << "the last one took its place";
     EXPECT_EQ(m.gpu.instances(), 2999u);
     EXPECT_EQ(m.gpu.modelOf(io::TemplateId::None), -1);
 }

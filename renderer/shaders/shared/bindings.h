@@ -12,6 +12,17 @@
 // Storage blocks
 #define SKY_LIGHT_STORAGE_BINDING 0 // the same buffer while it is written
 
+#define CULL_RECORDS_BINDING 0
+#define CULL_MODELS_BINDING 1
+#define CULL_BINS_BINDING 2
+#define CULL_DECIDED_BINDING 3
+#define CULL_SEEN_BINDING 4
+#define CULL_COUNTS_BINDING 5
+#define CULL_INSTANCES_BINDING 6
+#define CULL_DRAWN_BINDING 7
+#define CULL_PARTS_BINDING 0    // where commands are made
+#define CULL_COMMANDS_BINDING 1
+
 // Texture units. A pass either draws materials, or the ground, or reads the GBuffer: the first five are shared.
 #define BASE_COLOUR_UNIT 0
 #define SURFACE_UNIT 1 // roughness in G, metallic in B

@@ -9,6 +9,7 @@ SHARED_BEGIN
 #define CULL_CASTS_SHADOW 1u
 #define CULL_MARKER 2u
 #define CULL_MIRRORED 4u
+#define CULL_BLENDS 8u // drawn back to front, so the CPU keeps it
 
 struct CullRecord { // of an instance, beside its Instance
     vec3 centre; float radius; // m, world; the radius covers the rounding of the centre
@@ -39,6 +40,22 @@ struct CullView {
     uint unused;
 };
 SHARED_STRUCT_END(CullView, 128)
+
+struct CullBin { // counted, then given a place
+    uint count, first, next, end;
+};
+SHARED_STRUCT_END(CullBin, 16)
+
+struct CullPart { // of a mesh, drawn with its bin
+    uint firstIndex, indexCount, bin, unused;
+};
+SHARED_STRUCT_END(CullPart, 16)
+
+struct CullCounts { // instances: inside the view, of those large enough, hidden, drawn; entries with both of what fades
+    uint inside, large, hidden, drawn;
+    uint copies, unused0, unused1, unused2;
+};
+SHARED_STRUCT_END(CullCounts, 32)
 
 // Levels fade into one another over this share of the distance from which the coarser one will do.
 #define LEVEL_FADE 0.15f
@@ -90,6 +107,11 @@ SHARED_FUNCTION LevelChoice chooseLevel(CullRecord r, CullModel m, CullView v)
     choice.share = share == 0 ? DRAWN_FADE_STEPS : share;
     choice.level -= share == 0 ? 1 : 0;
     return choice;
+}
+
+SHARED_FUNCTION uint binOf(CullModel m, CullRecord r, int level, bool fading)
+{
+    return m.firstBin + uint(level) * 4u + ((r.flags & CULL_MIRRORED) != 0u ? 2u : 0u) + (fading ? 1u : 0u);
 }
 
 SHARED_END

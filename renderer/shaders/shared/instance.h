@@ -12,6 +12,7 @@ struct Instance {
     vec4 axisZ;
 };
 SHARED_STRUCT_END(Instance, 80)
+#define INSTANCE_WORDS 5u // of sixteen bytes
 
 #define INSTANCE_SELECTED 1u
 

@@ -42,6 +42,7 @@ renderer::Renderer& shared()
 io::Environment plainEnvironment(float azimuth, float elevation)
 {
     io::Environment environment;
+    environment.exposure = 2;
     environment.sun.mode = io::SunMode::Manual;
     environment.sun.azimuth = azimuth;
     environment.sun.elevation = elevation;

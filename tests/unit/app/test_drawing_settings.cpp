@@ -23,8 +23,6 @@ TEST(DrawingSettings, whatComesLaterMayBeSetToWhatIsTrueNow)
     renderer::Settings s;
     for (const auto& [key, now, later] : std::vector<std::array<const char*, 3>>{{"ao", "off", "on"},
                                                                                  {"grass", "off", "on"},
-                                                                                 {"occlusion", "off", "on"},
-                                                                                 {"lod", "off", "on"},
                                                                                  {"bloom", "off", "on"},
                                                                                  {"wind", "off", "on"},
                                                                                  {"terrain", "grid", "tessellation"}}) {

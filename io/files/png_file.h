@@ -1,0 +1,16 @@
+// PNG by libpng itself. OpenImageIO's reader lets libpng print its own words on stderr and reads rows of interlaced
+// pictures that it could not decode.
+#pragma once
+
+#include "io/base/result.h"
+#include "io/scene/image.h"
+
+#include <string>
+#include <string_view>
+
+namespace io {
+
+// 8 or 16 bits and one to four channels: a palette becomes colours, a transparent colour alpha, fewer bits become 8.
+Result<Image> decodePng(std::string_view bytes, const std::string& where);
+
+} // namespace io

@@ -1,0 +1,29 @@
+// What a view draws of the objects, wherever that is found out: on the CPU where software draws, else on the GPU.
+#pragma once
+
+#include "renderer/gpu_culling.h"
+#include "renderer/scenery.h"
+
+#include <vector>
+
+namespace renderer {
+
+bool culledOnGpu(const Settings& settings);
+
+// One view's lists. On the GPU things that blend are still sorted by the CPU, in a list of their own.
+class ViewChooser {
+public:
+    explicit ViewChooser(ShaderLibrary& shaders) : m_view{shaders} {}
+
+    // With `occlusion` only what the last frame saw; chooseRest() finds what came into sight.
+    std::vector<DrawList> choose(GpuFrame& gpu, Scenery& scenery, const CullRequest& request, const Settings& settings,
+                                 bool occlusion);
+    DrawList chooseRest(GpuFrame& gpu, Scenery& scenery, const CullRequest& request, const gl::Texture& pyramid);
+    const glsl::CullCounts& counts() const { return m_counts; } // of the GPU: of a frame a little earlier
+
+private:
+    CulledView m_view;
+    glsl::CullCounts m_counts{};
+};
+
+} // namespace renderer

@@ -1,0 +1,124 @@
+// Culling on the GPU, once per view: which instances are seen, at which level of detail. The first pass decides and
+// counts what falls into each bin; once the bins have their places, the second copies the records there.
+// Two-pass occlusion after Haar and Aaltonen, "GPU-Driven Rendering Pipelines" (2015): EARLY draws what was seen in the
+// last frame, LATE tests everything against the depth of that.
+#include "shared/bindings.h"
+#include "shared/culling.h"
+#include "shared/instance.h"
+#include "view.glsl"
+
+layout(local_size_x = 64) in;
+layout(std140, binding = PASS_BINDING) uniform CullBlock { CullView cull; };
+layout(std430, binding = CULL_RECORDS_BINDING) readonly buffer Records { CullRecord records[]; };
+layout(std430, binding = CULL_MODELS_BINDING) readonly buffer Models { CullModel models[]; };
+layout(std430, binding = CULL_BINS_BINDING) buffer Bins { CullBin bins[]; };
+layout(std430, binding = CULL_DECIDED_BINDING) buffer Decided { uint decided[]; }; // 0: nothing, else share, level + 1
+
+#ifdef DECIDE
+layout(std430, binding = CULL_SEEN_BINDING) buffer SeenBefore { uint seen[]; }; // 1: drawn by this view's last frame
+layout(std430, binding = CULL_COUNTS_BINDING) buffer Counts { CullCounts counts; };
+#ifdef LATE
+layout(binding = IMAGE_UNIT) uniform sampler2D pyramid; // the farthest depth, which is the least
+
+// Bounds of a sphere's picture along one axis: Mara and McGuire, "2D Polyhedral Bounds of a Clipped,
+// Perspective-Projected 3D Sphere" (2013). `along` and `z` in m, z > radius.
+vec2 projectedBounds(float along, float z, float radius)
+{
+    float t = sqrt(max(along * along + z * z - radius * radius, 0.0));
+    float low = (along * t - z * radius) / (z * t + along * radius);
+    float high = (along * t + z * radius) / (z * t - along * radius);
+    return vec2(low, high);
+}
+
+bool hidden(CullRecord r)
+{
+    vec3 relative = (r.centre - view.eyeHigh) - view.eyeLow;
+    float z = dot(relative, view.forward);
+    if (z < r.radius + view.near * 2.0) return false;
+    float halfWidth = length(view.right), halfHeight = length(view.up);
+    vec2 x = projectedBounds(dot(relative, view.right) / halfWidth, z, r.radius) / halfWidth;
+    vec2 y = projectedBounds(dot(relative, view.up) / halfHeight, z, r.radius) / halfHeight;
+    if (x.y - x.x <= 0.0 || y.y - y.x <= 0.0) return false; // wider than half a turn
+    vec2 low = clamp(vec2(x.x, y.x) * 0.5 + 0.5, 0.0, 1.0);
+    vec2 high = clamp(vec2(x.y, y.y) * 0.5 + 0.5, 0.0, 1.0);
+    ivec2 size = textureSize(pyramid, 0);
+    vec2 extent = (high - low) * vec2(size);
+    int mip = clamp(int(ceil(log2(max(max(extent.x, extent.y), 1.0)))), 0, textureQueryLevels(pyramid) - 1);
+    ivec2 last = max(size >> mip, 1) - 1; // llvmpipe answers textureSize(pyramid, mip) for one thread's mip only
+    ivec2 a = clamp(ivec2(low * vec2(last + 1)), ivec2(0), last);
+    ivec2 b = clamp(ivec2(high * vec2(last + 1)), ivec2(0), last);
+    float farthest = min(min(texelFetch(pyramid, a, mip).r, texelFetch(pyramid, b, mip).r),
+                         min(texelFetch(pyramid, ivec2(a.x, b.y), mip).r, texelFetch(pyramid, ivec2(b.x, a.y), mip).r));
+    return view.near / (z - r.radius) < farthest;
+}
+#endif
+
+void count(uint bin)
+{
+    atomicAdd(bins[bin].count, 1u);
+}
+
+void main()
+{
+    uint slot = gl_GlobalInvocationID.x;
+    if (slot >= cull.count) return;
+    CullRecord r = records[slot];
+    CullModel m = models[r.model];
+    uint decision = 0u;
+    bool inside = wanted(r, cull) && insidePlanes(r, cull);
+    bool large = inside && largeEnough(r, cull);
+#ifdef EARLY
+    bool draw = large && seen[slot] != 0u;
+#elif defined(LATE)
+    bool shown = large && !hidden(r);
+    bool draw = shown && seen[slot] == 0u;
+    seen[slot] = shown ? 1u : 0u;
+    if (large && !shown) atomicAdd(counts.hidden, 1u);
+#else
+    bool draw = large;
+#endif
+#ifndef EARLY
+    if (inside) atomicAdd(counts.inside, 1u);
+    if (large) atomicAdd(counts.large, 1u);
+#endif
+    if (draw) {
+        atomicAdd(counts.drawn, 1u);
+        LevelChoice choice = chooseLevel(r, m, cull);
+        decision = uint(choice.share) | uint(choice.level + 1) << 8;
+        bool fading = choice.share < DRAWN_FADE_STEPS;
+        uint kind = binOf(m, r, choice.level, fading);
+        count(kind);
+        if (fading) count(kind - 4u);
+    }
+    decided[slot] = decision;
+}
+#else
+layout(std430, binding = CULL_INSTANCES_BINDING) readonly buffer Instances { uvec4 instances[]; };
+layout(std430, binding = CULL_DRAWN_BINDING) writeonly buffer Drawn { uvec4 drawn[]; };
+
+void copy(uint slot, uint bin, uint bits)
+{
+    uint to = atomicAdd(bins[bin].next, 1u);
+    if (to >= bins[bin].end) return;
+    for (uint i = 0u; i < INSTANCE_WORDS; ++i) {
+        uvec4 words = instances[slot * INSTANCE_WORDS + i];
+        if (i == 1u) words.w = (words.w & DRAWN_FLAGS_MASK) | bits;
+        drawn[to * INSTANCE_WORDS + i] = words;
+    }
+}
+
+void main()
+{
+    uint slot = gl_GlobalInvocationID.x;
+    if (slot >= cull.count || decided[slot] == 0u) return;
+    CullRecord r = records[slot];
+    CullModel m = models[r.model];
+    uint share = decided[slot] & 0xffu;
+    uint level = (decided[slot] >> 8) - 1u;
+    bool fading = share < uint(DRAWN_FADE_STEPS);
+    uint bin = binOf(m, r, int(level), fading);
+    copy(slot, bin, level << DRAWN_LEVEL_SHIFT | (fading ? share : 0u) << DRAWN_FADE_SHIFT);
+    if (fading)
+        copy(slot, bin - 4u, (level - 1u) << DRAWN_LEVEL_SHIFT | (DRAWN_FADE_OTHERS + share) << DRAWN_FADE_SHIFT);
+}
+#endif

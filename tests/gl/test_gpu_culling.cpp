@@ -1,0 +1,173 @@
+// Culling on the GPU gives the CPU's answer, and what it knows beyond that, of things behind others, hides nothing seen.
+#include "renderer/choosing.h"
+#include "tests/gl/support/shared_renderer.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <random>
+#include <set>
+
+namespace {
+
+constexpr glm::ivec2 kSize{320, 180};
+
+io::Camera cameraIn(const test::TestWorld& world, std::mt19937& random)
+{
+    std::uniform_real_distribution<double> place{-220, 220}, turn{-180, 180}, tilt{-40, 15}, above{1.5, 25};
+    io::Camera camera{.eye = {place(random), 0, place(random)}, .yaw = float(turn(random)), .pitch = float(tilt(random))};
+    camera.eye.y = world.assets.heights->height(camera.eye.x, camera.eye.z).value_or(0) + above(random);
+    return camera;
+}
+
+// Counts are of a frame a little earlier.
+void renderUntilCounted(const renderer::FrameInput& in)
+{
+    for (int i = 0; i < 6; ++i)
+        test::shared().render(in);
+}
+
+// Ids that own a pixel.
+std::set<std::uint32_t> seen(const renderer::FrameInput& in)
+{
+    test::shared().render(in);
+    const auto ids = test::shared().readIds({0, 0}, in.size);
+    return {ids.begin(), ids.end()};
+}
+
+TEST(GpuCulling, DrawsThePictureThatTheCpuDraws)
+{
+    test::TestWorld world = test::makeWorld({.heightMap = {257, 257}, .trees = 400, .boxes = 80});
+    test::load(world);
+    std::mt19937 random{3};
+    for (int i = 0; i < 8; ++i) {
+        renderer::FrameInput in = test::frame(kSize, cameraIn(world, random));
+        in.settings.occlusion = false;
+        in.settings.culler = renderer::Culler::Cpu;
+        test::shared().render(in);
+        const auto ids = test::shared().readIds({0, 0}, kSize);
+        const io::Image picture = test::shared().readPicture();
+        const std::uint64_t drawn = test::shared().stats().instancesDrawn;
+        in.settings.culler = renderer::Culler::Gpu;
+        test::shared().render(in);
+        EXPECT_TRUE(ids == test::shared().readIds({0, 0}, kSize)) << "camera " << i;
+        EXPECT_TRUE(picture.bytes == test::shared().readPicture().bytes) << "camera " << i;
+        renderUntilCounted(in);
+        EXPECT_EQ(test::shared().stats().instancesDrawn, drawn) << "camera " << i;
+    }
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
+TEST(GpuCulling, NothingSeenIsMissingAtAnyWindowSize)
+{
+    test::TestWorld world = test::makeWorld({.heightMap = {257, 257}, .trees = 3000, .boxes = 300});
+    test::load(world);
+    std::mt19937 random{17};
+    for (const glm::ivec2 size : {glm::ivec2{320, 180}, glm::ivec2{213, 119}, glm::ivec2{55, 129}})
+        for (int i = 0; i < 6; ++i) {
+            renderer::FrameInput in = test::frame(size, cameraIn(world, random));
+            in.settings.shadows = false;
+            in.settings.culler = renderer::Culler::Gpu;
+            const std::set<std::uint32_t> culled = seen(in); // just after a cut
+            const std::set<std::uint32_t> again = seen(in);  // with what this camera saw before
+            in.settings.culling = false;
+            const std::set<std::uint32_t> all = seen(in);
+            EXPECT_TRUE(std::ranges::includes(culled, all)) << size.x << " camera " << i;
+            EXPECT_TRUE(std::ranges::includes(again, all)) << size.x << " camera " << i;
+        }
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
+TEST(GpuCulling, AWallHidesWhatStandsBehindIt)
+{
+    test::TestWorld world;
+    test::addObject(world, test::addTemplate(world, "wall", test::box({400, 200, 1}, glm::vec4{1})), {.position = {0, -50, -20}});
+    const io::TemplateId box = test::addTemplate(world, "box", test::box({1, 1, 1}, glm::vec4{1}));
+    for (int i = 0; i < 2000; ++i)
+        test::addObject(world, box, {.position = {(i % 50 - 25) * 2.0, 0, -40.0 - i / 50 * 2.0}});
+    test::load(world);
+    renderer::FrameInput in = test::frame(kSize, {.eye = {0, 1.6, 0}});
+    in.settings.culler = renderer::Culler::Gpu;
+    renderUntilCounted(in);
+    EXPECT_LE(test::shared().stats().instancesDrawn, 1u + 20u);
+    EXPECT_GT(test::shared().stats().instancesHidden, 1500u);
+    in.settings.occlusion = false;
+    renderUntilCounted(in);
+    EXPECT_GT(test::shared().stats().instancesDrawn, 1900u);
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
+TEST(GpuCulling, FollowsWhatIsMovedAddedAndTakenAway)
+{
+    test::TestWorld world;
+    const io::TemplateId box = test::addTemplate(world, "box", test::box({1, 1, 1}, glm::vec4{1}));
+    std::vector<io::ObjectId> objects;
+    for (int i = 0; i < 40; ++i)
+        objects.push_back(test::addObject(world, box, {.position = {(i - 20) * 1.5, 0, -30}}));
+    test::load(world);
+    renderer::FrameInput in = test::frame(kSize, {.eye = {0, 1, 0}});
+    in.settings.culler = renderer::Culler::Gpu;
+    std::mt19937 random{5};
+    for (int step = 0; step < 30; ++step) {
+        const io::ObjectId id = objects[random() % objects.size()];
+        if (const io::Object* there = world.scene.find(id); there && step % 3) {
+            io::Object moved = *there;
+            moved.transform.position.y = double(random() % 8);
+            world.scene.exchange(id, moved);
+        } else if (there) {
+            world.scene.exchange(id, std::nullopt);
+        } else {
+            world.scene.exchange(id, io::Object{.id = id, .templateId = box, .transform = {.position = {0, 3, -25}}});
+        }
+        test::shared().update(world.scene, world.assets, {.objects = {id}});
+        in.settings.culler = renderer::Culler::Gpu;
+        test::shared().render(in);
+        const auto ids = test::shared().readIds({0, 0}, kSize);
+        in.settings.culler = renderer::Culler::Cpu;
+        test::shared().render(in);
+        ASSERT_TRUE(ids == test::shared().readIds({0, 0}, kSize)) << "step " << step;
+    }
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
+} // namespace
+
+namespace {
+
+TEST(DepthPyramid, HoldsTheLeastOfWhatEachTexelCovers)
+{
+    ASSERT_TRUE(test::haveContext());
+    renderer::ShaderLibrary shaders{WOLD_SOURCE_DIR "/renderer/shaders"};
+    renderer::DepthPyramid pyramid{shaders};
+    std::mt19937 random{9};
+    for (const glm::ivec2 size : {glm::ivec2{64, 32}, glm::ivec2{37, 61}, glm::ivec2{131, 77}}) {
+        std::vector<float> depths(std::size_t(size.x) * size.y);
+        for (float& depth : depths)
+            depth = float(random() % 1000) / 1000;
+        renderer::gl::Texture depth{{.label = "depth", .size = size, .format = GL_DEPTH_COMPONENT32F}};
+        glTextureSubImage2D(depth.id(), 0, 0, 0, size.x, size.y, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+        renderer::GpuStream stream;
+        renderer::PassTimers timers;
+        renderer::FrameStats stats;
+        const renderer::gl::VertexArray empty{"none"};
+        renderer::GpuFrame gpu{stream, timers, stats, empty};
+        const renderer::gl::Texture& levels = pyramid.make(gpu, depth);
+        for (int mip = 0; mip < levels.mips(); ++mip) {
+            const glm::ivec2 coarse = levels.size(mip);
+            std::vector<float> made(std::size_t(coarse.x) * coarse.y);
+            glGetTextureImage(levels.id(), mip, GL_RED, GL_FLOAT, GLsizei(made.size() * 4), made.data());
+            for (int y = 0; y < coarse.y; ++y)
+                for (int x = 0; x < coarse.x; ++x) {
+                    float least = 1;
+                    for (int v = y * size.y / coarse.y; v < ((y + 1) * size.y + coarse.y - 1) / coarse.y; ++v)
+                        for (int u = x * size.x / coarse.x; u < ((x + 1) * size.x + coarse.x - 1) / coarse.x; ++u)
+                            least = std::min(least, depths[std::size_t(v) * size.x + u]);
+                    ASSERT_LE(made[std::size_t(y) * coarse.x + x], least) << mip << ": " << x << ", " << y;
+                    if (mip == 0) {
+                        ASSERT_EQ(made[std::size_t(y) * coarse.x + x], least) << x << ", " << y;
+                    }
+                }
+        }
+    }
+}
+
+} // namespace
