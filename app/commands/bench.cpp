@@ -73,21 +73,8 @@ struct Measured {
     std::vector<std::vector<double>> levels; // triangles of the camera's view, by level of detail
 };
 
-// Counts that came with culling on the device.
-void keepCulling(Measured& measured, const auto& stats)
-{
-    if constexpr (requires { stats.trianglesOfLevel; }) {
-        measured.counts["instances_inside"].push_back(double(stats.instancesInside));
-        measured.counts["instances_hidden"].push_back(double(stats.instancesHidden));
-        measured.levels.resize(stats.trianglesOfLevel.size());
-        for (std::size_t level = 0; level < measured.levels.size(); ++level)
-            measured.levels[level].push_back(double(stats.trianglesOfLevel[level]));
-    }
-}
-
 void keep(Measured& measured, const renderer::FrameStats& stats)
 {
-    keepCulling(measured, stats);
     for (const renderer::PassTime& pass : stats.passes) {
         if (!measured.cpu.contains(pass.name)) measured.passNames.push_back(pass.name);
         measured.cpu[pass.name].push_back(pass.cpuMs);
@@ -99,7 +86,12 @@ void keep(Measured& measured, const renderer::FrameStats& stats)
     count("triangles_drawn", stats.trianglesDrawn);
     count("instances", stats.instances);
     count("instances_drawn", stats.instancesDrawn);
+    count("instances_inside", stats.instancesInside);
+    count("instances_hidden", stats.instancesHidden);
     count("gpu_mb", stats.gpuBytes >> 20);
+    measured.levels.resize(stats.trianglesOfLevel.size());
+    for (std::size_t level = 0; level < measured.levels.size(); ++level)
+        measured.levels[level].push_back(double(stats.trianglesOfLevel[level]));
 }
 
 void keep(Measured& measured, const FrameCost& cost)

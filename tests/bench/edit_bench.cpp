@@ -39,14 +39,6 @@ template <class Work> Cost costOf(Work&& work)
     return {bench::wallMs() - wall, bench::threadMs() - thread};
 }
 
-void upload(auto& world) // all that the device needs to cull by itself
-{
-    if constexpr (requires { world.upload(true); })
-        world.upload(true);
-    else
-        world.upload();
-}
-
 // A document and its two mirrors, as the editor holds them.
 class Edited {
 public:
@@ -60,7 +52,7 @@ public:
     {
         const io::Changes changes = m_document.takeChanges();
         m_world.update(m_document.scene(), m_document.assets(), changes);
-        upload(m_world);
+        m_world.upload(true); // all that the device needs to cull by itself
         m_picker.update(m_document.scene(), m_document.assets(), changes);
     }
     bool pickDownAt(const glm::dvec3& place)

@@ -160,6 +160,7 @@ TEST_F(Commands, benchReportsEveryFigure)
         EXPECT_GE(number(figures, key), 0) << key;
     EXPECT_EQ(figures.find("frames_ms")->asArray()->size(), 5u);
     EXPECT_EQ(number(figures, "instances"), 6);
+    EXPECT_EQ(figures.find("triangles_of_level")->asArray()->size(), 8u);
     EXPECT_GT(number(figures, "peak_rss_mb"), 10);
     EXPECT_GT(number(figures, "first_frame_at_ms") + 10, number(figures, "load_ms") + number(figures, "first_frame_ms"));
     EXPECT_LT(number(figures, "first_frame_at_ms"), 300'000);
