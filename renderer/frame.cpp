@@ -27,7 +27,7 @@ Picture Renderer::State::render(const FrameInput& in)
     gpu.constants(LIGHT_BINDING, viewpoint.light);
 
     skyTables.update(gpu, viewpoint.light);
-    scenery.terrain.aim(viewpoint.eye);
+    scenery.terrain.aim(viewpoint.eye, in.settings.lod ? std::max(in.settings.lodPixels, 1.0f) : 1.0f);
     shadow.render(gpu, scenery, viewpoint, in.settings);
     const GeometryPass::Drawn drawn = drawSurfaces(gpu, in, viewpoint);
     const GBuffer& surfaces = geometry.finish();

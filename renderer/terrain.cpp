@@ -196,7 +196,7 @@ void Terrain::uploadLayers(const io::Terrain& terrain, const io::Assets& assets)
     m_layerImages = std::move(images);
 }
 
-void Terrain::aim(const Eye& eye)
+void Terrain::aim(const Eye& eye, double leniency)
 {
     m_nodes.clear();
     if (!present()) return;
@@ -210,7 +210,7 @@ void Terrain::aim(const Eye& eye)
     const double pixelAngle = 2 * eye.tanHalfFov / eye.size.y;
     const TerrainTree::Eye treeEye{.texel = inTerrain / map.metresPerTexel,
                                    .eyeAbove = std::max(eye.position.y - ground, 0.0) / map.metresPerTexel,
-                                   .firstRange = m_tree.firstRange(kErrorPixels, pixelAngle, map.metresPerTexel)};
+                                   .firstRange = m_tree.firstRange(kErrorPixels * leniency, pixelAngle, map.metresPerTexel)};
     m_nodes = m_tree.select(treeEye);
 
     m_block.eyeInTerrain = glm::vec2{inTerrain};

@@ -17,7 +17,7 @@ public:
 
     // Chooses the levels of detail for an eye. All views of the frame share them, shadows too, so that no surface
     // casts on another level of itself.
-    void aim(const Eye& eye);
+    void aim(const Eye& eye, double leniency = 1); // 1: errors of about a pixel
 
     // The chosen nodes that a volume (or, without one, everybody) sees; the block and textures are bound.
     struct Draw {

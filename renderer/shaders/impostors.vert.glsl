@@ -62,7 +62,7 @@ void main()
     vec3 ray = corner - towardEye * distance_;
     float forward = inExtent.w * dot(abs(towardEye), inExtent.xyz);
 #ifdef SHADOW
-    forward *= 0.35; // or the sunward half of what it stands for would lie in its shadow
+    forward *= 0.4; // or the sunward half of what it stands for would lie in its shadow
 #endif
     vec3 stands = corner - ray * (forward / distance_);
     gl_Position = view.clipFromRelative * vec4(origin + model * (inCentre + stands * radius), 1.0);
