@@ -5,6 +5,7 @@
 #include "editor/theme.h"
 
 #include <GLFW/glfw3.h>
+#include <algorithm>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <cmath>
@@ -73,7 +74,8 @@ ImguiHost::~ImguiHost()
 }
 
 // ImGui 1.86 looks at keys once a frame, so one that goes down and up within a frame (slow drawing, a quick hand) would
-// be lost, and with it a chord whose Ctrl was let go in the same frame: releases wait while a press is unseen.
+// be lost, and with it a chord or a click whose Ctrl was let go in the same frame: releases wait while what came before
+// them is unseen.
 void ImguiHost::keepShortTaps()
 {
     g_host = this;
@@ -90,14 +92,18 @@ void ImguiHost::keepShortTaps()
 
 void ImguiHost::onKey(int key, int scancode, int action, int mods)
 {
-    if (action == GLFW_RELEASE && m_pressed) return m_releases.push_back({key, scancode, mods});
-    m_pressed |= action == GLFW_PRESS;
+    if (action == GLFW_RELEASE && m_unseenFrames > 0) return m_releases.push_back({key, scancode, mods});
+    if (action == GLFW_PRESS) {
+        m_unseenFrames = std::max(m_unseenFrames, 1);
+        std::erase_if(m_releases, [key](const Release& release) { return release.key == key; });
+    }
     ImGui_ImplGlfw_KeyCallback(m_window->handle(), key, scancode, action, mods);
 }
 
 void ImguiHost::onButton(int button, int action, int mods)
 {
     // By the events so far: glfwGetCursorPos would ask where the pointer is by now.
+    m_unseenFrames = std::max(m_unseenFrames, action == GLFW_RELEASE && m_pressedAt ? 2 : 1);
     if (action == GLFW_PRESS) m_pressedAt = m_pointer, m_releasedAt.reset();
     if (action == GLFW_RELEASE) m_releasedAt = m_pointer;
     ImGui_ImplGlfw_MouseButtonCallback(m_window->handle(), button, action, mods);
@@ -148,7 +154,7 @@ void ImguiHost::end()
 {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    m_pressed = false;
+    if (m_unseenFrames > 0 && --m_unseenFrames > 0) return;
     for (const Release& late : std::exchange(m_releases, {}))
         ImGui_ImplGlfw_KeyCallback(m_window->handle(), late.key, late.scancode, GLFW_RELEASE, late.mods);
 }

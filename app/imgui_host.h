@@ -33,8 +33,8 @@ private:
     };
     Window* m_window;
     float m_scale = 0;
-    bool m_pressed = false;          // a key, since the last frame
-    std::vector<Release> m_releases; // that wait for the next frame
+    int m_unseenFrames = 0;          // until all that was pressed and clicked has been looked at
+    std::vector<Release> m_releases; // of keys, that wait for that
     std::optional<glm::vec2> m_pointer;                 // as its last event said
     std::optional<glm::vec2> m_pressedAt, m_releasedAt; // the pointer, where a button did so since the last frame
 };

@@ -21,5 +21,7 @@ target_compile_options(project_options INTERFACE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 if(WOLD_ASAN)
     target_compile_options(project_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    # g++ 12 under -fsanitize warns of uninitialized values inside std::variant and std::optional (GCC bug 80635).
+    target_compile_options(project_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_link_options(project_options INTERFACE -fsanitize=address,undefined)
 endif()

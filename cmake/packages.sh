@@ -30,10 +30,15 @@ installPackages() {
     fi
 }
 
-# Configures once and builds what changed; silent when nothing did, and never on stdout.
+# Configures once and builds what changed; shows how far it is the first time, is silent when nothing changed, and never
+# writes on stdout.
 buildRelease() {
     if [ ! -f "$root/build/release/build.ninja" ]; then
         (cd "$root" && cmake --preset release) >&2
+    fi
+    if [ ! -x "$root/build/release/wold" ]; then
+        ninja -C "$root/build/release" "$@" >&2
+        return
     fi
     ninja -C "$root/build/release" --quiet "$@" | { grep -v '^ninja: no work to do' || true; } >&2
 }

@@ -5,12 +5,12 @@ home=$(mktemp -d)
 editor=
 finish() { [ -z "$editor" ] || { kill -CONT "$editor"; kill "$editor"; } 2>/dev/null || true; rm -rf "$home"; }
 trap finish EXIT
-export HOME=$home XDG_CONFIG_HOME=$home/config XDG_STATE_HOME=$home/state XDG_CACHE_HOME=$home/cache
+export HOME=$home XDG_CONFIG_HOME=$home/config XDG_STATE_HOME=$home/state XDG_CACHE_HOME=${XDG_CACHE_HOME:-$home/cache}
 unset WAYLAND_DISPLAY
 name=$(basename "$0" .sh)
 fail() { echo "$name: $1" >&2; cat "$home/log" >&2 || true; picture "$out/failed.png" || true; exit 1; }
 until_true() { # SECONDS WHAT COMMAND…
-    local end=$((SECONDS + $1)) what=$2
+    local end=$((SECONDS + $1 * ${WOLD_TEST_PATIENCE:-1})) what=$2
     shift 2
     until "$@"; do [ $SECONDS -lt "$end" ] || fail "$what did not happen"; sleep 0.2; done
 }
@@ -32,12 +32,22 @@ print(int(rect[0] + rect[2] / 2), int(rect[1] + rect[3] / 2), *map(int, rect))
 PY
 }
 
+calm() { # WORLD: clouds that move by themselves are no sign of anything
+    sed -i 's/"speed": *[0-9.]*/"speed": 0/' "$1/environments/day.json"
+}
 start() { # EDIT-ARGUMENT…: the editor, in $window as soon as it is on the screen
     "$wold" edit "$@" --size 1280x720 > "$home/log" 2>&1 &
     editor=$!
     until_true 60 "a window" sh -c "xdotool search --onlyvisible --name Wold > $home/window"
     window=$(head -1 "$home/window")
     xdotool windowfocus "$window"
+}
+# Before its first frame an editor has nothing that could be clicked. Needs $view_rect.
+seen() { picture "$home/now.png" && view "$home/now.png" && [ "$(identify -format %k "$home/now.png")" -gt 200 ]; }
+start_in() { # WORLD EDIT-ARGUMENT…: until it is seen
+    start "$@"
+    until_true 60 "the world" titled 'Small *'
+    until_true 60 "a picture of the world" seen
 }
 title() { xdotool getwindowname "$window"; }
 titled() { [[ "$(title)" == $1 ]]; } # PATTERN
@@ -54,9 +64,12 @@ quit() {
 freeze() { kill -STOP "$editor"; }
 thaw() { kill -CONT "$editor"; }
 
+view_rect_of() { # X Y LEFT TOP WIDTH HEIGHT of the viewport: without the overlays at its edges
+    view_rect=$(($5 - 40))x$(($6 - 140))+$(($3 + 20))+$(($4 + 90))
+}
 view() { convert "$1" -crop "$view_rect" +repage "$1"; }
 still() { # FILE: the viewport, once it has stopped changing
-    local end=$((SECONDS + 60))
+    local end=$((SECONDS + 60 * ${WOLD_TEST_PATIENCE:-1}))
     picture "$1" && view "$1"
     while true; do
         sleep 0.7
@@ -67,6 +80,7 @@ still() { # FILE: the viewport, once it has stopped changing
     done
 }
 same() { [ "$(compare -metric AE "$1" "$2" null: 2>&1)" = 0 ]; }
+view_is() { picture "$home/now.png" && view "$home/now.png" && same "$1" "$home/now.png"; } # FILE
 view_differs() { picture "$home/now.png" && view "$home/now.png" && ! same "$1" "$home/now.png"; } # FROM
 
 # The pixels of the pointer's image that can be seen.

@@ -2,6 +2,8 @@
 
 #include "io/files/json.h"
 
+#include <cstdlib>
+
 namespace test {
 
 Ran wold(std::vector<std::string> words, std::string input,
@@ -14,8 +16,8 @@ Ran wold(std::vector<std::string> words, std::string input,
                                        {"WAYLAND_DISPLAY", ""},
                                        {"HOME", home.path().string()},
                                        {"XDG_CONFIG_HOME", home / "config"},
-                                       {"XDG_STATE_HOME", home / "state"},
-                                       {"XDG_CACHE_HOME", home / "cache"}}};
+                                       {"XDG_STATE_HOME", home / "state"}}};
+    if (!std::getenv("XDG_CACHE_HOME")) options.environment.emplace_back("XDG_CACHE_HOME", home / "cache");
     options.environment.insert(options.environment.end(), environment.begin(), environment.end());
     return run(words, options);
 }

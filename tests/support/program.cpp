@@ -1,5 +1,6 @@
 #include "tests/support/program.h"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -40,10 +41,17 @@ void redirect(const fs::path& file, int flags, int to)
     _exit(127);
 }
 
+// Slow builds are given more time.
+int patience()
+{
+    const char* times = std::getenv("WOLD_TEST_PATIENCE");
+    return times ? std::max(1, std::atoi(times)) : 1;
+}
+
 // False when the time was up.
 bool waitFor(pid_t child, int seconds, int& status)
 {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{seconds};
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{seconds * patience()};
     while (waitpid(child, &status, WNOHANG) == 0) {
         if (std::chrono::steady_clock::now() > end) {
             kill(child, SIGKILL);
