@@ -51,6 +51,15 @@ constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, 2.5f, renderer
                                       {Quality::High, 4, 2048, 1000, 1, renderer::AntiAliasing::Fxaa},
                                       {Quality::Ultra, 4, 8192, 1e6f, 0.6f, renderer::AntiAliasing::Fxaa}}};
 
+// What a tier needs, a second. A frame of 1280x720 draws half a million triangles for the camera and each cascade.
+struct Need {
+    Quality quality;
+    double triangles, arithmetic, taps;
+};
+constexpr std::array<Need, 3> kNeeds{{{Quality::Ultra, 1e9, 3e12, 2e10},
+                                      {Quality::High, 1e8, 2e11, 1e9},
+                                      {Quality::Medium, 1e6, 1e9, 1e7}}};
+
 } // namespace
 
 io::Status setDrawing(renderer::Settings& settings, std::string_view key, const io::Value& value)
@@ -72,11 +81,23 @@ io::Result<io::Value> getDrawing(const renderer::Settings& settings, std::string
     return io::getField(settings, key);
 }
 
+Quality qualityFor(const renderer::DeviceSpeed& speed)
+{
+    for (const Need& need : kNeeds)
+        if (speed.triangles >= need.triangles && speed.arithmetic >= need.arithmetic && speed.taps >= need.taps)
+            return need.quality;
+    return Quality::Low;
+}
+
+bool drawsInSoftware(std::string_view device)
+{
+    return device.find("llvmpipe") != device.npos || device.find("softpipe") != device.npos ||
+           device.find("SwiftShader") != device.npos;
+}
+
 void applyQuality(Quality quality, std::string_view device, renderer::Settings& settings)
 {
-    const bool software = device.find("llvmpipe") != device.npos || device.find("softpipe") != device.npos ||
-                          device.find("SwiftShader") != device.npos;
-    if (quality == Quality::Auto) quality = software ? Quality::Medium : Quality::High;
+    if (quality == Quality::Auto) quality = drawsInSoftware(device) ? Quality::Medium : Quality::High;
     for (const Tier& tier : kTiers) {
         if (tier.quality != quality) continue;
         settings.mostCascades = tier.cascades;

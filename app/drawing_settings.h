@@ -5,6 +5,7 @@
 #include "io/base/result.h"
 #include "io/base/value.h"
 #include "io/scene/environment.h"
+#include "renderer/device_speed.h"
 #include "renderer/settings.h"
 
 #include <string_view>
@@ -16,7 +17,13 @@ namespace app {
 io::Status setDrawing(renderer::Settings& settings, std::string_view key, const io::Value& value);
 io::Result<io::Value> getDrawing(const renderer::Settings& settings, std::string_view key);
 
-// Auto picks by the device; docs/command-line.md holds the table.
+bool drawsInSoftware(std::string_view device); // its name: llvmpipe and its like
+
+// The highest tier whose needs are all met.
+Quality qualityFor(const renderer::DeviceSpeed& speed);
+
+// Auto picks by the device's name, so that pictures are the same each time; windows measure first.
+// docs/command-line.md holds the table.
 void applyQuality(Quality quality, std::string_view device, renderer::Settings& settings);
 
 } // namespace app

@@ -92,12 +92,22 @@ std::vector<fs::path> Settings::recentProjects() const
     return result;
 }
 
-float Settings::uiScale() const
+std::optional<double> Settings::ui(std::string_view key) const
 {
     const io::Value* ui = m_values.find("ui");
-    const io::Value* scale = ui ? ui->find("scale") : nullptr;
-    const double* number = scale ? scale->asNumber() : nullptr;
-    return number && std::isfinite(*number) ? std::clamp(float(*number), 0.5f, 3.0f) : 1.0f;
+    const io::Value* value = ui ? ui->find(key) : nullptr;
+    const double* number = value ? value->asNumber() : nullptr;
+    return number && std::isfinite(*number) ? std::optional{*number} : std::nullopt;
+}
+
+float Settings::uiScale() const
+{
+    return float(std::clamp(ui("scale").value_or(1), 0.5, 3.0));
+}
+
+double Settings::frameRate() const
+{
+    return std::clamp(ui("frame_rate").value_or(30), 5.0, 240.0);
 }
 
 io::Value Settings::editor() const
@@ -111,11 +121,21 @@ void Settings::setLanguage(const std::string& code)
     m_values["language"] = code;
 }
 
-void Settings::setUiScale(float scale)
+void Settings::setUi(std::string_view key, io::Value value)
 {
     io::Value& ui = m_values["ui"];
     if (!ui.asObject()) ui = io::Value::Object{};
-    ui["scale"] = io::decimal(scale);
+    ui[key] = std::move(value);
+}
+
+void Settings::setUiScale(float scale)
+{
+    setUi("scale", io::decimal(scale));
+}
+
+void Settings::setFrameRate(double rate)
+{
+    setUi("frame_rate", rate);
 }
 
 void Settings::addRecentProject(const fs::path& project)

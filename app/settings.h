@@ -5,7 +5,9 @@
 #include "io/base/value.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace app {
@@ -19,11 +21,13 @@ public:
     std::string language() const;
     Quality quality() const;
     std::vector<std::filesystem::path> recentProjects() const; // newest first
-    float uiScale() const; // "ui": {"scale": 1.5}, 0.5..3, on top of the screen's own
+    float uiScale() const;    // "ui": {"scale": 1.5}, 0.5..3, on top of the screen's own
+    double frameRate() const; // "ui": {"frame_rate": 30}, 5..240: what a moving picture should keep
     io::Value editor() const;                                  // null: nothing yet
 
     void setLanguage(const std::string& code);
     void setUiScale(float scale);
+    void setFrameRate(double rate);
     void addRecentProject(const std::filesystem::path& project);
     void setEditor(const io::Value& value);
 
@@ -31,6 +35,9 @@ public:
     void save();
 
 private:
+    std::optional<double> ui(std::string_view key) const; // a finite number of "ui"
+    void setUi(std::string_view key, io::Value value);
+
     io::Value m_values; // the whole file, so that keys of a newer version survive
     io::Value m_saved;
     std::filesystem::path m_file;

@@ -47,10 +47,29 @@ io::Result<std::unique_ptr<Window>> Window::create(Options options)
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(handle, window.get());
     glfwSetDropCallback(handle, [](GLFWwindow* to, int count, const char** names) {
-        auto& dropped = static_cast<Window*>(glfwGetWindowUserPointer(to))->m_dropped;
-        dropped.insert(dropped.end(), names, names + count);
+        Window& self = *static_cast<Window*>(glfwGetWindowUserPointer(to));
+        self.m_dropped.insert(self.m_dropped.end(), names, names + count);
+        ++self.m_events;
     });
+    window->countEvents();
     return window;
+}
+
+// Those that come after these (Dear ImGui's) hand on to them; the pointer's one may not, so its place is asked for.
+void Window::countEvents()
+{
+    constexpr auto kCount = [](GLFWwindow* of, auto...) { ++static_cast<Window*>(glfwGetWindowUserPointer(of))->m_events; };
+    glfwSetKeyCallback(m_window, kCount);
+    glfwSetCharCallback(m_window, kCount);
+    glfwSetMouseButtonCallback(m_window, kCount);
+    glfwSetScrollCallback(m_window, kCount);
+    glfwSetCursorEnterCallback(m_window, kCount);
+    glfwSetWindowFocusCallback(m_window, kCount);
+    glfwSetWindowRefreshCallback(m_window, kCount);
+    glfwSetWindowCloseCallback(m_window, kCount);
+    glfwSetWindowIconifyCallback(m_window, kCount);
+    glfwSetFramebufferSizeCallback(m_window, kCount);
+    glfwSetWindowContentScaleCallback(m_window, kCount);
 }
 
 Window::~Window()
@@ -110,14 +129,25 @@ void Window::swap()
     glfwSwapBuffers(m_window);
 }
 
-void Window::waitForEvents(double seconds)
+bool Window::waitForEvents(double seconds)
 {
+    const std::uint64_t events = m_seenEvents;
+    const glm::dvec2 pointer = m_seenPointer;
     glfwWaitEventsTimeout(seconds);
+    noteSeen();
+    return m_events != events || (glfwGetWindowAttrib(m_window, GLFW_HOVERED) && m_seenPointer != pointer);
 }
 
 void Window::takeEvents()
 {
     glfwPollEvents();
+    noteSeen();
+}
+
+void Window::noteSeen()
+{
+    m_seenEvents = m_events;
+    glfwGetCursorPos(m_window, &m_seenPointer.x, &m_seenPointer.y);
 }
 
 } // namespace app

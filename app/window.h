@@ -3,6 +3,7 @@
 
 #include "io/base/result.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <memory>
@@ -35,14 +36,18 @@ public:
     void setTitle(const std::string& title);
     void setPointerHidden(bool hidden); // hidden, it moves without bound; the position is kept
     void swap();                        // shows what was drawn, waits for the screen
-    static void waitForEvents(double seconds);
-    static void takeEvents();
+    bool waitForEvents(double seconds); // true when one came: something may look different now
+    void takeEvents();
 
 private:
     explicit Window(GLFWwindow* window) : m_window{window} {}
+    void countEvents();
+    void noteSeen();
     GLFWwindow* m_window;
     std::string m_title;
     bool m_pointerHidden = false;
+    std::uint64_t m_events = 0, m_seenEvents = 0; // all but the pointer moving
+    glm::dvec2 m_seenPointer{0};
     std::vector<std::filesystem::path> m_dropped;
 };
 

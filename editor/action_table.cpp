@@ -223,6 +223,14 @@ void viewActions(Actions& a, Editor& e)
            .keys = {.key = Key::F1},
            .run = [&e] { e.viewport().showOverlays = !e.viewport().showOverlays; },
            .checked = [&e] { return e.viewport().showOverlays; }});
+    a.add({.id = "statistics",
+           .icon = Icon::Chart,
+           .keys = {.key = Key::F3},
+           .run = [&e] { e.viewport().showStatistics = !e.viewport().showStatistics; },
+           .checked = [&e] { return e.viewport().showStatistics; }});
+    a.add({.id = "animate",
+           .run = [&e] { e.setAnimates(!e.animates()); },
+           .checked = [&e] { return e.animates(); }});
     a.add({.id = "rendering", .run = [&e] { e.workspace().bringToFront("rendering"); }});
     a.add({.id = "reset_layout", .icon = Icon::Reset, .run = [&e] { e.workspace().reset(); }});
     a.add({.id = "reload_shaders",

@@ -16,12 +16,17 @@
 #include "editor/theme.h"
 #include "editor/ui_map.h"
 
+#include <algorithm>
 #include <imgui_internal.h>
 
 namespace editor {
 namespace {
 
 constexpr double kQuietAfter = 0.5; // s without anything happening until the picture counts as at rest
+constexpr double kDrift = 1 / 30.0; // s between frames of what drifts by itself, and of a progress bar
+constexpr double kBlink = 0.4;      // s; divides the times a text cursor is seen and unseen
+constexpr double kHitch = 0.25;     // s; a slow frame uses up no more of what is shown for a while
+constexpr double kRest = 0.1;       // s of waiting that make a pause between two frames
 
 } // namespace
 
@@ -66,12 +71,15 @@ void Editor::restoreSettings()
 {
     m_savedSettings = m_host.settings();
     if (const io::Value* layout = m_savedSettings.find("layout")) m_workspace.restore(*layout);
+    const io::Value* animate = m_savedSettings.find("animate");
+    if (const bool* on = animate ? animate->asBool() : nullptr) m_animates = *on;
 }
 
 void Editor::saveLayout()
 {
     io::Value settings = m_savedSettings;
     settings["layout"] = toValue(m_workspace.layout());
+    if (m_animates) settings["animate"] = *m_animates;
     if (settings == m_savedSettings) return;
     m_savedSettings = settings;
     m_host.saveSettings(settings);
@@ -107,6 +115,7 @@ void Editor::adopt(std::unique_ptr<Document> document)
     m_editing.clear();
     m_document = std::move(document);
     m_selection = {};
+    wake();
     m_viewport.reset();
     m_viewport.lookFrom(*m_document);
     chosenTemplate = io::TemplateId::None;
@@ -217,8 +226,10 @@ void Editor::follow()
 
 void Editor::frame(double seconds)
 {
-    m_time += seconds;
+    m_rested = m_resting;
     m_frameSeconds = seconds;
+    if (drifts() && !m_rested) m_time += seconds;
+    m_toasts.pass(m_rested ? seconds : std::min(seconds, kHitch));
     clearMap();
     follow();
     if (!m_viewport.flying()) m_actions.shortcuts();
@@ -227,9 +238,10 @@ void Editor::frame(double seconds)
     m_dialogs.draw(*this);
     m_loading.draw();
     if (auto opened = m_loading.finished()) adoptOpened(std::move(*opened));
-    m_toasts.draw(seconds);
+    m_toasts.draw();
     if (!ImGui::IsAnyItemActive()) endEdit();
     noteActivity(seconds);
+    m_resting = nextFrameIn() > kRest;
 }
 
 // ImGui does this by itself only with its keyboard navigation, whose keys are ours.
@@ -247,6 +259,7 @@ void Editor::drawWindow()
     float top = ImGui::GetFrameHeight() + 6;
     if (!m_document) return startPage(*this, {0, top}, display);
     top = toolbar(*this, top);
+    follow(); // what a key or a button did is seen by all panels at once
     const float bottom = statusBar(*this);
     m_workspace.draw(*this, {0, top + 3}, {display.x, bottom - 3});
 }
@@ -254,19 +267,30 @@ void Editor::drawWindow()
 void Editor::noteActivity(double seconds)
 {
     const ImGuiIO& io = ImGui::GetIO();
-    bool active = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0 || ImGui::IsAnyItemActive();
+    bool active = io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || io.MouseWheel != 0;
+    active |= ImGui::IsAnyItemActive() && !io.WantTextInput; // a text that waits for keys only blinks
     for (const bool down : io.MouseDown)
         active |= down;
     for (const bool down : io.KeysDown)
         active |= down;
-    active |= m_viewport.busy() || !m_toasts.empty() || m_loading.running();
-    m_quiet = active ? 0 : m_quiet + seconds;
+    active |= m_viewport.busy();
+    m_quiet = active ? 0 : m_quiet + (m_rested ? 0 : std::min(seconds, kHitch));
 }
 
-bool Editor::needsFrame() const
+bool Editor::drifts() const
 {
-    const bool clouds = m_document && renderSettings.clouds && m_document->scene().environment().clouds.speed > 0;
-    return clouds || m_quiet < kQuietAfter;
+    if (!animates() || !m_document || !renderSettings.clouds) return false;
+    const io::Clouds& clouds = m_document->scene().environment().clouds;
+    return clouds.speed != 0 && clouds.coverage > 0;
+}
+
+double Editor::nextFrameIn() const
+{
+    if (m_quiet < kQuietAfter) return 0;
+    double next = m_toasts.nextChange();
+    if (drifts() || m_loading.busy()) next = std::min(next, kDrift);
+    if (ImGui::GetIO().WantTextInput) next = std::min(next, kBlink);
+    return next;
 }
 
 } // namespace editor

@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,7 +52,10 @@ public:
     void requestClose();       // as by the window's cross: asks when there are unsaved changes
     bool wantsClose() const { return m_wantsClose; }
     bool pointerHidden() const { return m_viewport.pointerHidden(); } // while looking around: hide and hold it
-    bool needsFrame() const; // something moves or was just touched; otherwise the picture would be the same
+    // s after the last frame at which the window would look different by itself: 0 while something moves or was just
+    // touched, infinity when only a person's input, or wake(), can change it.
+    double nextFrameIn() const;
+    void wake() { m_quiet = 0; }
 
     Document* document() { return m_document.get(); } // null: the start page
     const Document* document() const { return m_document.get(); }
@@ -78,8 +82,14 @@ public:
     io::TemplateId chosenTemplate = io::TemplateId::None;
     bool inspectTemplate = false;
 
-    double time() const { return m_time; } // s of frames so far
-    double frameSeconds() const { return m_frameSeconds; }
+    // What drifts by itself (clouds) does so only while this is on: otherwise an untouched window draws nothing.
+    bool animates() const { return m_animates.value_or(animateByDefault); }
+    void setAnimates(bool on) { m_animates = on; }
+    bool animateByDefault = false; // until a person has chosen
+
+    double time() const { return m_time; } // s that what drifts by itself has drifted
+    double frameSeconds() const { return m_frameSeconds; } // since the last frame
+    bool rested() const { return m_rested; }               // nothing was drawn meanwhile, for nothing happened
 
     void saveLayout();
 
@@ -92,6 +102,7 @@ private:
     void drawWindow();
     void endEdit();
     void noteActivity(double seconds);
+    bool drifts() const;
 
     renderer::Renderer* m_renderer;
     Host& m_host;
@@ -107,8 +118,10 @@ private:
     Loading m_loading;
     io::Value m_savedSettings;
     std::string m_editing;
+    std::optional<bool> m_animates;
     double m_time = 0;
     double m_frameSeconds = 0;
+    bool m_resting = false, m_rested = false; // since this frame; until it
     double m_quiet = 0; // s since anything happened
     bool m_wantsClose = false;
 };

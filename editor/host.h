@@ -25,6 +25,10 @@ public:
     virtual float uiScale() const { return 1; } // the person's own factor on the size of everything
     virtual void setUiScale(float scale) { (void)scale; }
 
+    // Frames a second that a moving picture should keep, drawn coarser where it must be.
+    virtual double frameRate() const { return 30; }
+    virtual void setFrameRate(double rate) { (void)rate; }
+
     virtual std::vector<std::filesystem::path> recentProjects() const = 0; // newest first
     virtual void addRecentProject(const std::filesystem::path& project) = 0;
 

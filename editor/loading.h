@@ -24,6 +24,7 @@ public:
 
     void start(std::filesystem::path project, std::string scene); // instead of what is being loaded
     bool running() const { return m_thread.joinable() && !m_cancelled; }
+    bool busy() const { return m_thread.joinable(); } // also while one that was cancelled comes to its end
     void cancel() { m_cancelled = true; } // what was open stays open
     std::optional<Opened> finished();     // once, a frame after the dialog has said what comes now
 

@@ -116,6 +116,15 @@ void sizeMenu(Editor& editor)
     ImGui::EndMenu();
 }
 
+void rateMenu(Editor& editor)
+{
+    if (!ui::beginMenu(tr("menu.frame_rate"))) return;
+    const int now = int(std::lround(editor.host().frameRate()));
+    for (const int rate : {15, 20, 30, 45, 60})
+        if (ui::menuItem(std::to_string(rate).c_str(), nullptr, rate == now)) editor.host().setFrameRate(rate);
+    ImGui::EndMenu();
+}
+
 void viewMenu(Editor& editor)
 {
     if (!ui::beginMenu(tr("menu.view"))) return;
@@ -123,9 +132,10 @@ void viewMenu(Editor& editor)
     camerasMenu(editor);
     ImGui::Separator();
     showMenu(editor);
-    items(editor, {"rendering", "overlays"});
+    items(editor, {"rendering", "overlays", "statistics", "animate"});
     ImGui::Separator();
     panelsMenu(editor);
+    rateMenu(editor);
     languageMenu(editor);
     sizeMenu(editor);
     ImGui::EndMenu();

@@ -3,6 +3,7 @@
 #include "editor/widgets.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace editor {
 namespace {
@@ -32,12 +33,23 @@ void Toasts::add(io::log::Level level, std::string text)
     m_toasts.push_back({level, std::move(text), level == io::log::Level::Info ? kSeconds : 2 * kSeconds});
 }
 
-void Toasts::draw(double seconds)
+double Toasts::nextChange() const
+{
+    double next = std::numeric_limits<double>::infinity();
+    for (const Toast& toast : m_toasts)
+        next = std::min(next, std::max(0.0, toast.left - kFade));
+    return next;
+}
+
+void Toasts::pass(double seconds)
 {
     for (Toast& toast : m_toasts)
         toast.left -= seconds;
     std::erase_if(m_toasts, [](const Toast& toast) { return toast.left <= 0; });
+}
 
+void Toasts::draw()
+{
     ImDrawList& draw = *ImGui::GetForegroundDrawList();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     float bottom = display.y - 40;

@@ -11,7 +11,9 @@ namespace editor {
 class Toasts {
 public:
     void add(io::log::Level level, std::string text);
-    void draw(double seconds); // over everything, bottom right
+    void pass(double seconds); // time has gone by
+    void draw();               // over everything, bottom right
+    double nextChange() const; // s until one fades or goes; infinity without any
     bool empty() const { return m_toasts.empty(); }
 
 private:

@@ -11,10 +11,9 @@
 namespace editor {
 namespace {
 
-constexpr double kSpeedShown = 1.5;                   // s
-constexpr double kClickSlack = 4;                     // pixels a click may move
-constexpr double kScales[] = {1, 0.7, 0.5, 0.35};     // of the picture's size, by coarseness
-constexpr double kSlow = 1 / 18.0, kQuick = 1 / 50.0; // s a frame: coarser, finer
+constexpr double kSpeedShown = 1.5;   // s
+constexpr double kLongestStep = 0.25; // s; a hitch does not fling the camera
+constexpr double kClickSlack = 4;     // pixels a click may move
 
 glm::dvec2 mouseDelta()
 {
@@ -76,7 +75,7 @@ bool Viewport::clickDistance() const
 
 bool Viewport::busy() const
 {
-    return m_drag != Drag::None || camera.moving() || m_speedShown > 0 || m_placing != io::TemplateId::None;
+    return m_drag != Drag::None || camera.moving() || m_speedShown > 0;
 }
 
 std::optional<glm::dvec3> Viewport::pointUnderPointer(Editor& editor) const
@@ -101,33 +100,32 @@ void Viewport::draw(Editor& editor)
     m_hovered = ImGui::IsItemHovered();
     mapItem("viewport", tr("panel.viewport"));
     takeDrop(editor);
-    input(editor, editor.frameSeconds());
+    input(editor, editor.rested() ? 0 : std::min(editor.frameSeconds(), kLongestStep));
     drawPicture(editor);
     if (showOverlays) overlays(editor);
+    if (showStatistics) drawStatistics(editor);
     contextMenu(editor);
 }
 
 // Ids are read from the picture only while the eye rests, so a coarse one is never asked.
-void Viewport::chooseCoarseness(Editor& editor)
+void Viewport::chooseResolution(Editor& editor)
 {
     const bool moving = m_drag == Drag::Look || m_drag == Drag::Orbit || m_drag == Drag::Pan || camera.moving();
-    if (!moving || editor.host().repeatable()) {
-        m_coarseness = 0;
-    } else if (editor.frameSeconds() > kSlow) {
-        m_coarseness = std::min(m_coarseness + 1, int(std::size(kScales)) - 1);
-    } else if (editor.frameSeconds() < kQuick) {
-        m_coarseness = std::max(m_coarseness - 1, 0);
-    }
+    if (!moving || editor.host().repeatable())
+        m_resolution.sharpen();
+    else if (!editor.rested())
+        m_resolution.note(editor.frameSeconds(), editor.host().frameRate());
 }
 
 void Viewport::drawPicture(Editor& editor)
 {
+    chooseResolution(editor);
     if (!editor.renderer()) return;
     editor.follow();
-    chooseCoarseness(editor);
     renderer::FrameInput input = frameInput(editor);
-    input.size = glm::max(glm::ivec2{glm::dvec2{m_size} * double(pixelsPerPoint()) * kScales[m_coarseness]}, glm::ivec2{1});
+    input.size = glm::max(glm::ivec2{glm::dvec2{m_size} * double(pixelsPerPoint()) * m_resolution.scale()}, glm::ivec2{1});
     const renderer::Picture picture = editor.renderer()->render(input);
+    if (!editor.rested()) frames.note(editor.frameSeconds(), editor.renderer()->stats().passes);
     const ImVec2 max{m_min.x + float(m_size.x), m_min.y + float(m_size.y)};
     ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(picture.texture), m_min, max, {0, 1}, {1, 0});
 }

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "editor/fly_camera.h"
+#include "editor/frame_history.h"
 #include "editor/gizmo.h"
 #include "editor/panel.h"
 #include "editor/picker.h"
+#include "editor/resolution.h"
 #include "editor/selection.h"
 #include "renderer/renderer.h"
 
@@ -29,6 +31,8 @@ public:
     bool gizmoShown = true; // false: the plain selecting tool
     bool snapping = false;  // Ctrl turns it round while dragging
     bool showOverlays = true;
+    bool showStatistics = false; // over the picture
+    FrameHistory frames;
 
     View view() const { return {camera.camera(), m_size}; }
     void lookFrom(const Document& document); // the first camera that the scene names, or all of it framed
@@ -44,12 +48,13 @@ public:
     bool flying() const { return m_drag == Drag::Look; }
     bool busy() const; // something moves, or is being dragged
     void reset();      // another document
+    double pictureScale() const { return m_resolution.scale(); } // below 1: coarser, to be quick enough
 
 private:
     enum class Drag { None, Look, Orbit, Pan, Click, Box, Gizmo, Place };
 
     void drawPicture(Editor& editor);
-    void chooseCoarseness(Editor& editor);
+    void chooseResolution(Editor& editor);
     void input(Editor& editor, double seconds);
     void press(Editor& editor);
     void pressLeft(Editor& editor);
@@ -79,13 +84,14 @@ private:
     void drawCompass() const;
     void drawHints(Editor& editor) const;
     void drawFaults(Editor& editor) const;
+    void drawStatistics(Editor& editor) const;
 
     glm::dvec2 pointer() const; // pixels from the viewport's top left
     bool clickDistance() const; // the pointer has moved since the press
 
     ImVec2 m_min{0, 0};
     glm::ivec2 m_size{1, 1};
-    int m_coarseness = 0; // step of kScales, while the eye moves on a machine that is too slow
+    Resolution m_resolution;
     bool m_hovered = false;
     Drag m_drag = Drag::None;
     glm::dvec2 m_pressed{0};

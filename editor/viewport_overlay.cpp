@@ -1,6 +1,7 @@
 // What lies over the picture: gizmo, selection box, boxes of groups, compass, hints, faults of shaders.
 #include "editor/editor.h"
 #include "editor/placement.h"
+#include "editor/statistics_overlay.h"
 #include "editor/text.h"
 #include "editor/viewport.h"
 #include "editor/widgets.h"
@@ -200,6 +201,14 @@ void Viewport::drawHints(Editor& editor) const
     } else if (m_drag == Drag::Gizmo) {
         pill({middle, bottom}, tr("viewport.dragging"), palette::kText, true);
     }
+}
+
+void Viewport::drawStatistics(Editor& editor) const
+{
+    const renderer::FrameStats none;
+    const float top = editor.show == renderer::Show::Final || !showOverlays ? 10 : 46;
+    statisticsOverlay(frames, editor.renderer() ? editor.renderer()->stats() : none, {m_min.x + 10, m_min.y + top},
+                      {float(m_size.x) - 20, float(m_size.y) - top - 46});
 }
 
 void Viewport::drawFaults(Editor& editor) const

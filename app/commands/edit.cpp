@@ -1,5 +1,6 @@
 // wold edit: the editor in a window, or, with --replay, the same editor fed from a file and drawn into pictures.
 #include "app/commands/commands.h"
+#include "app/folder_watch.h"
 #include "app/imgui_host.h"
 #include "app/opened.h"
 #include "app/player.h"
@@ -9,19 +10,22 @@
 #include "app/views/edit_view.h"
 #include "app/window.h"
 #include "editor/ui_map.h"
+#include "io/base/log.h"
+#include "io/base/paths.h"
 #include "io/files/atomic_file.h"
 #include "io/files/image_file.h"
 #include "io/files/json.h"
 #include "renderer/canvas.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 
 namespace app {
 namespace {
 
 constexpr double kStep = 1.0 / 60;     // s, of a replayed frame
-constexpr double kLongestFrame = 0.25; // s; a hitch does not fling the camera
-constexpr double kIdle = 0.5;          // s between frames when nothing happens: a text cursor's blink
+constexpr double kLook = 0.5;          // s between looks at shader files while nothing happens
 constexpr int kSettle = 3;             // frames after a replay, so that its last event is seen
 
 Settings settingsFor(const Options& options)
@@ -147,20 +151,34 @@ public:
     void run()
     {
         while (!m_view.editor().wantsClose()) {
-            waitForSomething();
+            const bool due = waitForSomething();
             if (m_window.closeAsked()) m_view.editor().requestClose();
             m_view.openDropped(m_window.takeDropped());
-            if (m_window.shown()) frame();
+            if (due && m_window.shown()) frame();
         }
     }
 
 private:
-    void waitForSomething()
+    // True when a frame would show something else than the last one: no change, no frame.
+    bool waitForSomething()
     {
-        if (m_window.shown() && m_view.editor().needsFrame())
-            Window::takeEvents();
-        else
-            Window::waitForEvents(kIdle);
+        const double passed = std::chrono::duration<double>(Clock::now() - m_last).count();
+        const double wait = m_window.shown() ? m_view.editor().nextFrameIn() - passed : kLook;
+        if (wait <= 0) {
+            m_window.takeEvents();
+            return true;
+        }
+        sayRest(wait);
+        const bool happened = m_window.waitForEvents(std::min(wait, kLook)) || m_shaders.changed();
+        if (happened) m_view.editor().wake();
+        return happened;
+    }
+
+    void sayRest(double wait)
+    {
+        if (wait < kLook || m_frames == m_framesAtRest) return;
+        m_framesAtRest = m_frames;
+        io::log::debug("the window rests after {} frames", m_frames);
     }
 
     void frame()
@@ -169,7 +187,7 @@ private:
         const double seconds = std::chrono::duration<double>(now - m_last).count();
         m_last = now;
         m_host.setScale(m_window.scale() * m_settings.uiScale());
-        m_view.run(std::clamp(seconds, 1e-4, kLongestFrame));
+        m_view.run(std::max(seconds, 1e-4));
         m_host.begin({}, 0);
         if (m_recorder) m_recorder->frame(ImGui::GetIO());
         m_view.runImGui();
@@ -178,6 +196,7 @@ private:
         m_window.setTitle(m_view.editor().title());
         m_window.setPointerHidden(m_view.editor().pointerHidden());
         m_window.swap();
+        ++m_frames;
         m_view.frameTook(std::chrono::duration<double>(Clock::now() - now).count());
     }
 
@@ -188,6 +207,8 @@ private:
     const Settings& m_settings;
     Recorder* m_recorder;
     Clock::time_point m_last = Clock::now();
+    FolderWatch m_shaders{io::resource("renderer/shaders")};
+    std::uint64_t m_frames = 0, m_framesAtRest = 0;
 };
 
 int openWindow(const Options& options)

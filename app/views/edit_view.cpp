@@ -15,6 +15,12 @@ namespace {
 constexpr double kSlow = 0.1; // s a frame
 constexpr int kSlowInARow = 8;
 
+std::optional<Quality> lowerThan(Quality quality)
+{
+    if (quality == Quality::Auto || quality == Quality::Low) return {};
+    return Quality(int(quality) - 1);
+}
+
 } // namespace
 
 EditView::EditView(const Options& options, renderer::Renderer& renderer, Settings& settings,
@@ -30,13 +36,27 @@ io::Status EditView::init()
     if (io::Status chosen = chooseLanguage(); !chosen) return chosen;
     editor::Host& host = *this;
     m_editor = std::make_unique<editor::Editor>(m_renderer, host);
-    const Quality quality = m_options.quality.value_or(m_settings.quality());
-    applyQuality(quality, m_renderer.deviceName(), m_editor->renderSettings);
-    if (quality == Quality::Auto) m_lower = Quality::Medium;
+    chooseQuality();
     applyToDrawing(m_options, m_editor->renderSettings); // its words were checked before
+    m_editor->animateByDefault = !drawsInSoftware(m_renderer.deviceName());
     openProject();
     lookAsAsked();
     return {};
+}
+
+// "auto" is measured, but for a replay, whose pictures are the same each time.
+void EditView::chooseQuality()
+{
+    Quality quality = m_options.quality.value_or(m_settings.quality());
+    if (quality == Quality::Auto && !repeatable()) {
+        const renderer::DeviceSpeed speed = renderer::measureDevice();
+        quality = qualityFor(speed);
+        io::log::info("quality {}: {:.3g} million triangles, {:.3g} million texture taps, {:.3g} thousand million "
+                      "operations a second",
+                      nameOf(quality), speed.triangles / 1e6, speed.taps / 1e6, speed.arithmetic / 1e9);
+        m_lower = lowerThan(quality);
+    }
+    applyQuality(quality, m_renderer.deviceName(), m_editor->renderSettings);
 }
 
 // --lang holds for this run; a language of the settings that is gone falls back to English.
@@ -83,7 +103,7 @@ void EditView::frameTook(double seconds)
     m_slowFrames = 0;
     io::log::info("a frame takes {:.0f} ms here: quality {}", seconds * 1e3, nameOf(*m_lower));
     applyQuality(*m_lower, m_renderer.deviceName(), m_editor->renderSettings);
-    m_lower = *m_lower == Quality::Medium ? std::optional{Quality::Low} : std::nullopt;
+    m_lower = lowerThan(*m_lower);
 }
 
 void EditView::runImGui()
@@ -134,6 +154,12 @@ void EditView::setLanguage(const std::string& code)
 void EditView::setUiScale(float scale)
 {
     m_settings.setUiScale(scale);
+    m_settings.save();
+}
+
+void EditView::setFrameRate(double rate)
+{
+    m_settings.setFrameRate(rate);
     m_settings.save();
 }
 

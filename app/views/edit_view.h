@@ -36,6 +36,8 @@ private:
     void setLanguage(const std::string& code) override;
     float uiScale() const override { return m_settings.uiScale(); }
     void setUiScale(float scale) override;
+    double frameRate() const override { return m_settings.frameRate(); }
+    void setFrameRate(double rate) override;
     std::vector<std::filesystem::path> recentProjects() const override;
     void addRecentProject(const std::filesystem::path& project) override;
     std::vector<std::filesystem::path> shippedWorlds() const override;
@@ -43,6 +45,7 @@ private:
     io::Value settings() const override { return m_settings.editor(); }
     void saveSettings(const io::Value& settings) override;
 
+    void chooseQuality();
     io::Status chooseLanguage();
     void openProject();
     void lookAsAsked();

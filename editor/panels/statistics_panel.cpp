@@ -46,7 +46,6 @@ void timeCell(double ms, double longest, ImU32 colour)
 
 void StatisticsPanel::draw(Editor& editor)
 {
-    note(editor.frameSeconds());
     const float room = ImGui::GetContentRegionAvail().x;
     const bool beside = room > 640; // the passes stand beside the figures where there is room
     if (beside) ImGui::BeginChild("##figures", {std::floor(room * 0.55f), 0});
@@ -60,19 +59,9 @@ void StatisticsPanel::draw(Editor& editor)
     if (beside) ImGui::EndChild();
 }
 
-void StatisticsPanel::note(double seconds)
-{
-    m_frames[m_next++ % m_frames.size()] = float(seconds * 1000);
-    const std::size_t count = std::min(m_next, m_frames.size());
-    float sum = 0;
-    for (std::size_t i = 0; i < count; ++i)
-        sum += m_frames[i];
-    m_average = sum / float(count);
-}
-
 void StatisticsPanel::figures(Editor& editor)
 {
-    graph();
+    graph(editor.viewport().frames);
     if (editor.renderer()) {
         const renderer::FrameStats& stats = editor.renderer()->stats();
         const std::pair<const char*, std::string> all[] = {
@@ -80,6 +69,8 @@ void StatisticsPanel::figures(Editor& editor)
             {"statistics.triangles", grouped(stats.trianglesDrawn)},
             {"statistics.submitted", grouped(stats.trianglesSubmitted)},
             {"statistics.instances", grouped(stats.instances)},
+            {"statistics.inside", grouped(stats.instancesInside)},
+            {"statistics.hidden", grouped(stats.instancesHidden)},
             {"statistics.instances_drawn", grouped(stats.instancesDrawn)},
             {"statistics.gpu_memory", byteText(stats.gpuBytes)}};
         for (const auto& [key, value] : all)
@@ -91,22 +82,25 @@ void StatisticsPanel::figures(Editor& editor)
 }
 
 // The times of the last frames as bars, as wide as two figures, with their mean over them.
-void StatisticsPanel::graph() const
+void StatisticsPanel::graph(const FrameHistory& frames) const
 {
     constexpr float kWide = 2 * kWidth + 8;
     const ImVec2 min = ImGui::GetCursorScreenPos();
     ImGui::Dummy({kWide, kHeight});
-    const std::string text = trf("statistics.frame_text", m_average > 0 ? 1000 / m_average : 0, m_average);
+    const double mean = frames.meanMs();
+    const std::string text = trf("statistics.frame_text", mean > 0 ? 1000 / mean : 0, mean);
     mapItem("figure", tr("statistics.frame"), text);
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.AddRectFilled(min, {min.x + kWide, min.y + kHeight}, palette::kRaised, 4);
-    const float highest = std::max(20.f, *std::max_element(m_frames.begin(), m_frames.end()) * 1.1f);
-    const auto count = float(m_frames.size());
-    for (std::size_t i = 0; i < m_frames.size(); ++i) {
-        const float ms = m_frames[(m_next + i) % m_frames.size()];
+    double highest = 20; // ms
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        highest = std::max(highest, frames.at(i).ms * 1.1);
+    const auto count = float(FrameHistory::kFrames);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const double ms = frames.at(i).ms;
         const float x = min.x + kWide * float(i) / count;
-        draw.AddRectFilled({x, min.y + kHeight * (1 - ms / highest)}, {x + kWide / count - 0.6f, min.y + kHeight},
-                           withAlpha(ms > 33.4f ? palette::kAmber : palette::kAccent, 0.45f));
+        draw.AddRectFilled({x, min.y + kHeight * float(1 - ms / highest)}, {x + kWide / count - 0.6f, min.y + kHeight},
+                           withAlpha(ms > 33.4 ? palette::kAmber : palette::kAccent, 0.45f));
     }
     draw.AddText(figureFont(), sizeOf(figureFont()), {min.x + 10, min.y + 7}, palette::kText, text.c_str());
 }

@@ -1,10 +1,8 @@
 // Statistics: where the time of a frame and the memory go.
 #pragma once
 
+#include "editor/frame_history.h"
 #include "editor/panel.h"
-
-#include <array>
-#include <string>
 
 namespace editor {
 
@@ -15,13 +13,8 @@ public:
 
 private:
     void figures(Editor& editor);
-    void graph() const;
+    void graph(const FrameHistory& frames) const;
     void passes(Editor& editor) const;
-    void note(double seconds);
-
-    std::array<float, 120> m_frames{}; // ms, a ring
-    std::size_t m_next = 0;
-    float m_average = 0; // ms
 };
 
 } // namespace editor

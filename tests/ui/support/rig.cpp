@@ -116,6 +116,15 @@ void Rig::frame(int count)
     }
 }
 
+void Rig::pass(double seconds)
+{
+    ImGui::GetIO().DeltaTime = float(seconds);
+    ImGui::NewFrame();
+    editor->frame(seconds);
+    ImGui::Render();
+    ImGui::GetIO().DeltaTime = kSecond;
+}
+
 void Rig::move(ImVec2 to)
 {
     ImGui::GetIO().MousePos = to;

@@ -24,8 +24,11 @@ public:
     void saveSettings(const io::Value& settings) override { saved = settings; }
 
     std::vector<std::filesystem::path> recent;
+    double frameRate() const override { return rate; }
+
     io::Value saved;
     bool background = false;
+    double rate = 30;
 
 private:
     std::string m_language = "en";
@@ -43,6 +46,7 @@ public:
     Rig& operator=(const Rig&) = delete;
 
     void frame(int count = 1);
+    void pass(double seconds); // until one frame more
     void move(ImVec2 to);
     void press(int button = 0);
     void release(int button = 0);

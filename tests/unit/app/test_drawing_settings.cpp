@@ -60,5 +60,15 @@ TEST(DrawingSettings, qualityCapsShadowsAndAutoSparesSoftware)
     EXPECT_EQ(capped(io::Shadows{}, high), io::Shadows{}); // the world as its environment says
 }
 
+TEST(DrawingSettings, qualityFollowsTheSlowestOfWhatWasMeasured)
+{
+    EXPECT_EQ(qualityFor({}), Quality::Low);
+    EXPECT_EQ(qualityFor({.triangles = 12e6, .arithmetic = 8e9, .taps = 9e7}), Quality::Medium);   // two cores
+    EXPECT_EQ(qualityFor({.triangles = 4e8, .arithmetic = 4e11, .taps = 6e9}), Quality::High);     // in a processor
+    EXPECT_EQ(qualityFor({.triangles = 3e9, .arithmetic = 2e13, .taps = 2e11}), Quality::Ultra);   // a large card
+    EXPECT_EQ(qualityFor({.triangles = 3e9, .arithmetic = 2e13, .taps = 2e8}), Quality::Medium);   // taps are its limit
+    EXPECT_EQ(qualityFor({.triangles = 5e5, .arithmetic = 2e13, .taps = 2e11}), Quality::Low);
+}
+
 } // namespace
 } // namespace app

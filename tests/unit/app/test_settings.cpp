@@ -94,6 +94,19 @@ TEST_F(SettingsTest, theScaleOfTheWindowStaysUsable)
     EXPECT_EQ(Settings::load(file).uiScale(), 0.5f);
 }
 
+TEST_F(SettingsTest, theFrameRateOfAMovingPicture)
+{
+    Settings settings;
+    EXPECT_EQ(settings.frameRate(), 30);
+    write(R"({"ui": {"scale": 2, "frame_rate": 1}})");
+    settings = Settings::load(file);
+    EXPECT_EQ(settings.frameRate(), 5);
+    settings.setFrameRate(60);
+    settings.save();
+    EXPECT_EQ(Settings::load(file).frameRate(), 60);
+    EXPECT_EQ(Settings::load(file).uiScale(), 2);
+}
+
 TEST_F(SettingsTest, withoutAFileNothingIsWritten)
 {
     Settings settings;

@@ -1,0 +1,13 @@
+// The statistics over the picture: where a frame's time goes, and what of the world was drawn in it.
+#pragma once
+
+#include "editor/frame_history.h"
+
+#include <imgui.h>
+
+namespace editor {
+
+// `top` is its upper left corner; it is narrower where `room` asks for it.
+void statisticsOverlay(const FrameHistory& frames, const renderer::FrameStats& stats, ImVec2 top, ImVec2 room);
+
+} // namespace editor
