@@ -111,6 +111,7 @@ private:
         if (std::any_of(indices.begin(), indices.end(), [&](std::uint32_t i) { return i >= shape.vertices.size(); }))
             throw Refused{place + ": an index is past the last vertex"};
         Triangles all = unrolled(std::move(indices), mode);
+        if (all.size() < 3) m_notes.warn(place + ": holds no triangles; left out");
         if (all.size() % 3 != 0) m_notes.warn(place + ": ends inside a triangle; that one is left out");
         Triangles kept;
         kept.reserve(all.size());
@@ -265,10 +266,25 @@ std::uint64_t bytesOf(const std::vector<Primitive>& primitives, const std::vecto
     return bytes;
 }
 
-void addParts(Model& model, std::vector<Triangles> byMaterial)
+// Matrices may carry corners away that were near in their own mesh.
+void leaveOutFar(const Model& model, Triangles& triangles, Notes& notes)
+{
+    const auto drawable = [&](std::uint32_t index) { return near(model.vertices[index].position); };
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
+        if (!drawable(triangles[i]) || !drawable(triangles[i + 1]) || !drawable(triangles[i + 2])) continue;
+        std::copy_n(triangles.begin() + std::ptrdiff_t(i), 3, triangles.begin() + std::ptrdiff_t(kept));
+        kept += 3;
+    }
+    if (kept < triangles.size()) notes.warn("nodes: triangles that their matrices carry over 1e9 m away are left out");
+    triangles.resize(kept);
+}
+
+void addParts(Model& model, std::vector<Triangles> byMaterial, Notes& notes)
 {
     for (std::size_t material = 0; material < byMaterial.size(); ++material) {
-        const Triangles& triangles = byMaterial[material];
+        Triangles& triangles = byMaterial[material];
+        leaveOutFar(model, triangles, notes);
         if (triangles.empty()) continue;
         model.parts.push_back({std::uint32_t(model.indices.size()), std::uint32_t(triangles.size()), int(material)});
         model.indices.insert(model.indices.end(), triangles.begin(), triangles.end());
@@ -296,7 +312,7 @@ void bake(const tinygltf::Model& source, const std::vector<PlacedMesh>& placed, 
         baker.add(meshes.at(one.mesh), one.modelFromMesh);
     result.materials = std::move(materials.list);
     result.images = std::move(materials.images);
-    addParts(result, std::move(baker.byMaterial));
+    addParts(result, std::move(baker.byMaterial), notes);
     complete(result, baker.frames);
 }
 

@@ -153,5 +153,28 @@ TEST(Glb, RefusesModelsThatDoNotFitTogether)
     EXPECT_FALSE(encodeGlb(model));
 }
 
+// One triangle near by, the same carried away by its node, and a mesh of two corners.
+constexpr const char* kPartlyDrawable = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1,2]}],
+"nodes":[{"mesh":0},{"mesh":0,"scale":[1e9,1e9,1e9]},{"mesh":1}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]},{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[4,4,0]},
+{"bufferView":1,"componentType":5123,"count":2,"type":"SCALAR"}],
+"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6}],
+"buffers":[{"byteLength":42,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAQAAAAAAAAAAAAAAAAAAAgEAAAAAAAAABAAAA"}]})";
+
+TEST(Glb, WhatCannotBeDrawnIsNamedAndLeftOut)
+{
+    const TemporaryFolder folder;
+    put(folder / "m.gltf", kPartlyDrawable);
+    Complaints complaints;
+    const Result<Model> model = readModel(folder / "m.gltf", folder.path(), complaints);
+    ASSERT_TRUE(model) << model.error().text();
+    EXPECT_EQ(model->triangles(), 1u);
+    EXPECT_EQ(model->bounds.max.x, 4);
+    const std::string faults = listed(complaints);
+    EXPECT_NE(faults.find("meshes[1].primitives[0]: holds no triangles; left out"), faults.npos) << faults;
+    EXPECT_NE(faults.find("over 1e9 m away are left out"), faults.npos) << faults;
+}
+
 } // namespace
 } // namespace io
