@@ -11,6 +11,14 @@ CullRequest without(CullRequest request, std::uint32_t flags)
     return request;
 }
 
+std::uint32_t visible(std::span<const DrawList> lists)
+{
+    std::uint64_t count = 0;
+    for (const DrawList& list : lists)
+        count += list.visible;
+    return std::uint32_t(count);
+}
+
 CullRequest only(CullRequest request, std::uint32_t flags)
 {
     request.required |= flags;
@@ -30,23 +38,29 @@ std::vector<DrawList> ViewChooser::choose(GpuFrame& gpu, Scenery& scenery, const
     std::vector<DrawList> lists;
     const bool blended = !request.towardSun; // glass casts no shadow
     if (!culledOnGpu(settings)) {
-        lists.push_back(scenery.world.draws(gpu.stream(), request, blended));
-        m_counts = {.drawn = std::uint32_t(lists.back().visible)};
+        scenery.world.batchedDraws(gpu.stream(), request, blended, lists);
+        scenery.world.directDraws(gpu.stream(), request, blended, lists);
+        m_counts = {.drawn = visible(lists)};
         return lists;
     }
-    scenery.cullTable.update(scenery.world.models());
+    const ModelLibrary& models = scenery.world.sharedModels();
+    scenery.cullTable.update(models);
     const CullRequest opaque = without(request, CULL_BLENDS);
     lists.push_back(occlusion ? m_view.early(gpu, scenery.cullTable, scenery.world.gpuScene(), opaque)
                               : m_view.all(gpu, scenery.cullTable, scenery.world.gpuScene(), opaque));
+    lists.back().models = &models;
     m_counts = m_view.counts();
-    if (scenery.world.models().blends())
-        lists.push_back(scenery.world.draws(gpu.stream(), only(request, CULL_BLENDS), blended));
+    if (models.blends()) scenery.world.batchedDraws(gpu.stream(), only(request, CULL_BLENDS), blended, lists);
+    scenery.world.directDraws(gpu.stream(), request, blended, lists);
+    m_counts.drawn += visible(lists); // the first list's are the GPU's to count
     return lists;
 }
 
 DrawList ViewChooser::chooseRest(GpuFrame& gpu, Scenery& scenery, const CullRequest& request, const gl::Texture& pyramid)
 {
-    return m_view.late(gpu, scenery.cullTable, scenery.world.gpuScene(), without(request, CULL_BLENDS), pyramid);
+    DrawList list = m_view.late(gpu, scenery.cullTable, scenery.world.gpuScene(), without(request, CULL_BLENDS), pyramid);
+    list.models = &scenery.world.sharedModels();
+    return list;
 }
 
 } // namespace renderer

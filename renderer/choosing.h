@@ -10,7 +10,8 @@ namespace renderer {
 
 bool culledOnGpu(const Settings& settings);
 
-// One view's lists. On the GPU things that blend are still sorted by the CPU, in a list of their own.
+// One view's lists, of the batched path and of each direct model in view. On the GPU things that blend are still sorted
+// by the CPU, in a list of their own, and direct models are culled there.
 class ViewChooser {
 public:
     explicit ViewChooser(ShaderLibrary& shaders) : m_view{shaders} {}

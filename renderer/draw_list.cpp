@@ -87,7 +87,7 @@ public:
     Writer(DrawList& list, std::vector<DrawCommand>& commands) : m_list{list}, m_commands{commands} {}
     void add(std::vector<DrawRange>& ranges, int batch, const Bin& bin, const DrawCommand& command)
     {
-        if (ranges.empty() || ranges.back().batch != batch || ranges.back().mirrored != bin.mirrored ||
+        if (ranges.empty() || m_apart || ranges.back().batch != batch || ranges.back().mirrored != bin.mirrored ||
             ranges.back().fading != bin.fading)
             ranges.push_back({.batch = batch,
                               .mirrored = bin.mirrored,
@@ -99,10 +99,12 @@ public:
         ranges.back().triangles += triangles;
         m_list.trianglesOfLevel[std::size_t(bin.level)] += triangles;
     }
+    void keepApart() { m_apart = true; }
 
 private:
     DrawList& m_list;
     std::vector<DrawCommand>& m_commands;
+    bool m_apart = false;
 };
 
 struct PartInBatch {
@@ -164,6 +166,25 @@ std::uint64_t instancesIn(std::span<const Seen> seen)
         seen, [](const Seen& one) { return (one.drawn >> DRAWN_FADE_SHIFT) < DRAWN_FADE_OTHERS; }));
 }
 
+std::uint32_t leastOf(const Binned& bins, std::uint32_t bin)
+{
+    return *std::min_element(bins.drawn.begin() + bins.begin[bin], bins.drawn.begin() + bins.begin[bin + 1]);
+}
+
+// Whether each bin's records follow one another and a view adds nothing to them, neither a level nor a share that is
+// faded: an entry is then a slot.
+bool standInRow(const ModelLibrary& models, const Binned& bins)
+{
+    for (std::uint32_t bin = 0; bin + 1 < bins.begin.size(); ++bin) {
+        if (bins.count(bin) == 0) continue;
+        if (models.bins()[bin].fading || models.bins()[bin].level > 0) return false;
+        const auto [least, most] =
+            std::minmax_element(bins.drawn.begin() + bins.begin[bin], bins.drawn.begin() + bins.begin[bin + 1]);
+        if (*most - *least + 1 != bins.count(bin)) return false;
+    }
+    return true;
+}
+
 // Software GL reads an attribute of an instance many times faster than it fetches a record for each vertex, and a view
 // draws few of all instances.
 GpuStream::Piece copies(GpuStream& stream, std::span<const glsl::Instance> instances, std::span<const std::uint32_t> drawn)
@@ -184,22 +205,56 @@ GpuStream::Piece copies(GpuStream& stream, std::span<const glsl::Instance> insta
 DrawList makeDrawList(GpuStream& stream, const DrawSource& source)
 {
     DrawList list;
+    list.models = &source.models;
     list.visible = instancesIn(source.seen);
     if (source.seen.empty()) return list;
     const Binned bins = binned(source);
+    const bool inPlace = source.recordBuffer != 0 && standInRow(source.models, bins);
+    const auto firstOf = [&](std::uint32_t bin) { return inPlace ? leastOf(bins, bin) : bins.begin[bin]; };
     const std::span<const Bin> kinds = source.models.bins();
     std::vector<DrawCommand> commands;
     Writer writer{list, commands};
     for (const PartInBatch& part : opaqueParts(source.models, bins))
         writer.add(list.opaque, part.batch, kinds[part.bin],
-                   commandOf(*part.part, bins.count(part.bin), bins.begin[part.bin]));
+                   commandOf(*part.part, bins.count(part.bin), firstOf(part.bin)));
+    if (source.apart) writer.keepApart();
     if (source.blended)
-        for (const BlendedPart& part : blendedParts(source, bins))
-            writer.add(list.blended, part.part->batch, kinds[part.bin], commandOf(*part.part, 1, part.index));
+        for (const BlendedPart& part : blendedParts(source, bins)) {
+            const std::uint32_t instance = inPlace ? bins.drawn[part.index] : part.index;
+            const std::size_t ranges = list.blended.size();
+            writer.add(list.blended, part.part->batch, kinds[part.bin], commandOf(*part.part, 1, instance));
+            if (list.blended.size() > ranges) list.blended.back().distance = part.distance;
+        }
     if (commands.empty()) return list;
-    list.instances = copies(stream, source.instances, bins.drawn);
-    list.commands = stream.put(std::span<const DrawCommand>{commands});
+    list.instances = inPlace ? GpuStream::Piece{.buffer = source.recordBuffer} : copies(stream, source.instances, bins.drawn);
+    if (source.direct) list.calls = std::move(commands);
+    else list.commands = stream.put(std::span<const DrawCommand>{commands});
     return list;
+}
+
+void bindSources(gl::VertexArray& array, const DrawList& list)
+{
+    array.source(0, list.models->vertices(), 0, sizeof(PackedVertex));
+    array.indices(list.models->indices());
+    array.source(1, list.instances.buffer, list.instances.offset, sizeof(glsl::Instance));
+    list.models->bindMaterials();
+    glBindVertexArray(array.id());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, list.commands.buffer);
+}
+
+void drawRange(GpuFrame& gpu, const DrawList& list, const DrawRange& range)
+{
+    gpu.count(range.commands, range.triangles);
+    if (list.calls.empty()) {
+        const auto* offset = reinterpret_cast<const void*>(list.commands.offset + range.commandOffset);
+        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, offset, GLsizei(range.commands), 0);
+        return;
+    }
+    for (const DrawCommand& call : std::span{list.calls}.subspan(range.commandOffset / sizeof(DrawCommand), range.commands)) {
+        const auto* first = reinterpret_cast<const void*>(call.firstIndex * sizeof(std::uint32_t));
+        glDrawElementsInstancedBaseInstance(GL_TRIANGLES, GLsizei(call.count), GL_UNSIGNED_INT, first,
+                                            GLsizei(call.instanceCount), call.baseInstance);
+    }
 }
 
 gl::VertexArray makeObjectVertexArray()

@@ -26,11 +26,14 @@ struct DrawRange {
     std::size_t commandOffset = 0; // bytes into the command buffer
     std::uint32_t commands = 0;
     std::uint64_t triangles = 0;
+    float distance = 0;            // of what blends: of its first instance
 };
 
 struct DrawList {
-    GpuStream::Piece instances; // copies of their records
+    const ModelLibrary* models = nullptr;
+    GpuStream::Piece instances; // copies of their records, or a direct model's records themselves
     GpuStream::Piece commands;
+    std::vector<DrawCommand> calls; // of the direct path, in place of `commands`: each a call of its own
     std::vector<DrawRange> opaque;  // masked too
     std::vector<DrawRange> blended; // back to front
     std::uint64_t visible = 0;      // instances
@@ -42,6 +45,9 @@ struct DrawSource {
     std::span<const Seen> seen;
     std::span<const glsl::Instance> instances;      // by slot
     bool blended = true;                            // blended parts too
+    bool apart = false;                             // each of those in a range of its own: other lists lie between
+    bool direct = false;                            // by calls of their own
+    GLuint recordBuffer = 0;                        // holds `instances`, of the direct path; 0: does not
     std::span<const glsl::CullRecord> records = {}; // to sort by distance; none: drawn as they come
     glm::dvec3 eye{0};
     std::optional<glm::dvec3> towardSun;            // of parallel light: distance is counted from there
@@ -51,23 +57,18 @@ DrawList makeDrawList(GpuStream& stream, const DrawSource& source);
 // Vertices by binding 0, instances by binding 1, as objects.vert.glsl and records.glsl read them.
 gl::VertexArray makeObjectVertexArray();
 
-// Draws ranges with the program and state that `prepare(range)` sets; it answers false to leave a range out.
+// Its library's buffers and materials and its instances; then its ranges, one by one.
+void bindSources(gl::VertexArray& array, const DrawList& list);
+void drawRange(GpuFrame& gpu, const DrawList& list, const DrawRange& range);
+
+// Draws ranges with the program and state that `prepare(range, batch)` sets; it answers false to leave a range out.
 template <class Prepare>
-void drawRanges(GpuFrame& gpu, gl::VertexArray& array, const ModelLibrary& models, const DrawList& list,
-                std::span<const DrawRange> ranges, Prepare&& prepare)
+void drawRanges(GpuFrame& gpu, gl::VertexArray& array, const DrawList& list, std::span<const DrawRange> ranges, Prepare&& prepare)
 {
     if (ranges.empty()) return;
-    array.source(0, models.vertices(), 0, sizeof(PackedVertex));
-    array.indices(models.indices());
-    array.source(1, list.instances.buffer, list.instances.offset, sizeof(glsl::Instance));
-    glBindVertexArray(array.id());
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, list.commands.buffer);
-    for (const DrawRange& range : ranges) {
-        if (!prepare(range)) continue;
-        const auto* offset = reinterpret_cast<const void*>(list.commands.offset + range.commandOffset);
-        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, offset, GLsizei(range.commands), 0);
-        gpu.count(range.commands, range.triangles);
-    }
+    bindSources(array, list);
+    for (const DrawRange& range : ranges)
+        if (prepare(range, list.models->batches()[std::size_t(range.batch)])) drawRange(gpu, list, range);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 

@@ -22,7 +22,7 @@ Picture Renderer::State::render(const FrameInput& in)
     canvas.resize("picture", viewpoint.eye.size);
     scenery.world.select(in.selection);
     scenery.world.upload(culledOnGpu(in.settings));
-    impostors.render(gpu, scenery.world.models(), scenery.world.impostors());
+    impostors.render(gpu, scenery.world.sharedModels(), scenery.world.impostors());
     gpu.constants(VIEW_BINDING, viewpoint.view);
     gpu.constants(LIGHT_BINDING, viewpoint.light);
 
@@ -89,14 +89,14 @@ GeometryPass::Drawn Renderer::State::drawSurfaces(GpuFrame& gpu, const FrameInpu
         const auto scope = gpu.scope("geometry");
         geometry.begin(viewpoint);
         for (const DrawList& list : drawn.objects)
-            geometry.drawObjects(gpu, scenery, list);
+            geometry.drawObjects(gpu, list);
         geometry.drawGround(gpu, scenery, drawn.ground);
     }
     if (occlusion) {
         const auto scope = gpu.scope("what came into sight");
         const gl::Texture& farthest = pyramid.make(gpu, geometry.targets().depth);
         drawn.objects.push_back(chooser.chooseRest(gpu, scenery, request, farthest));
-        geometry.drawObjects(gpu, scenery, drawn.objects.back());
+        geometry.drawObjects(gpu, drawn.objects.back());
     }
     count(drawn);
     return drawn;

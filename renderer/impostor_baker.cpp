@@ -99,7 +99,6 @@ void ImpostorBaker::bake(GpuFrame& gpu, const ModelLibrary& models, int model)
 {
     const ModelEntry& entry = models.entry(model);
     const std::vector<glsl::Instance> instances = copies(entry);
-    models.bindMaterials();
     std::vector<Seen> seen;
     for (std::uint32_t i = 0; i < kFrames; ++i)
         seen.push_back({i, binIndex(entry, bakedLevel(entry), false, false)});
@@ -111,8 +110,7 @@ void ImpostorBaker::bake(GpuFrame& gpu, const ModelLibrary& models, int model)
     target.clearDepth(0);
     target.bind();
     gpu.constants(VIEW_BINDING, sheetView());
-    drawRanges(gpu, m_objects, models, list, list.opaque, [&](const DrawRange& range) {
-        const Batch& batch = models.batches()[std::size_t(range.batch)];
+    drawRanges(gpu, m_objects, list, list.opaque, [&](const DrawRange&, const Batch& batch) {
         gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GLenum(batch.twoSided ? GL_NONE : GL_BACK)});
         bindArrays(gpu, models, batch);
         return gpu.use(m_programs.of(batch));

@@ -77,7 +77,8 @@ std::vector<std::string> definesOf(unsigned features)
     return defines;
 }
 
-ModelLibrary::ModelLibrary() : m_materialTexels{"materials", GL_RGBA32UI}
+ModelLibrary::ModelLibrary(std::shared_ptr<TexturePool> pool)
+    : m_single{pool != nullptr}, m_textures{std::move(pool)}, m_materialTexels{"materials", GL_RGBA32UI}
 {
     clear();
 }
@@ -98,6 +99,7 @@ void ModelLibrary::clear()
     m_newIndices.clear();
     m_newMaterials.clear();
     m_vertexCount = m_indexCount = m_materialCount = 0;
+    if (m_single) return; // upload() makes them
     m_vertexBuffer = gl::Buffer{"vertices", sizeof(PackedVertex) * 1024};
     m_indexBuffer = gl::Buffer{"indices", sizeof(std::uint32_t) * 4096};
     m_materialBuffer = gl::Buffer{"materials", sizeof(glsl::Material) * 16};

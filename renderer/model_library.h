@@ -1,5 +1,5 @@
-// Every model in shared vertex, index and material buffers, and the batches that draw them: all parts of a batch
-// go out in one multi-draw.
+// Models in one vertex, one index and one material buffer, and the batches that draw them: all models of the batched
+// path, where the parts of a batch go out in one multi-draw, or a single one of the direct path.
 #pragma once
 
 #include "io/scene/model.h"
@@ -71,7 +71,7 @@ constexpr std::uint32_t binIndex(const ModelEntry& model, int level, bool mirror
 
 class ModelLibrary {
 public:
-    ModelLibrary();
+    explicit ModelLibrary(std::shared_ptr<TexturePool> pool = nullptr); // given one: for a single model, no byte too many
 
     // The same model gives the same number. `impostor`: it may be drawn as a picture of itself where it is small.
     int add(const std::shared_ptr<const io::Model>& model, bool impostor = false);
@@ -112,6 +112,7 @@ private:
     void addLevels(const io::Model& model, ModelEntry& entry);
     void addImpostor(const io::Model& model, ModelEntry& entry);
 
+    bool m_single;
     TextureLibrary m_textures;
     ImpostorAtlas m_impostors;
     std::vector<ModelEntry> m_entries;

@@ -9,15 +9,22 @@ namespace {
 
 constexpr std::uint64_t kLargestArray = std::uint64_t(512) << 20; // bytes; beyond it another array is begun
 
-gl::Texture makeArray(int side, ColourSpace space, int layers)
+std::shared_ptr<gl::Texture> makeArray(int side, ColourSpace space, int layers)
 {
-    return gl::Texture{{.label = space == ColourSpace::Srgb ? "colour textures" : "value textures",
+    return std::make_shared<gl::Texture>(
+        gl::TextureDesc{.label = space == ColourSpace::Srgb ? "colour textures" : "value textures",
                         .size = glm::ivec2{side},
                         .layers = layers,
                         .format = GL_RGBA8,
                         .mips = gl::fullMipCount(glm::ivec2{side}),
                         .wrap = GL_REPEAT,
-                        .anisotropic = true}};
+                        .anisotropic = true});
+}
+
+void fill(gl::Texture& texture, int layer, const std::vector<Pixels>& mips)
+{
+    for (std::size_t mip = 0; mip < mips.size(); ++mip)
+        texture.upload(mips[mip].data(), GL_RGBA, GL_UNSIGNED_BYTE, int(mip), layer);
 }
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t value)
@@ -28,7 +35,18 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t value)
 
 } // namespace
 
-TextureLibrary::TextureLibrary()
+std::shared_ptr<gl::Texture> TexturePool::find(const TextureContent& content) const
+{
+    const auto known = m_known.find(content);
+    return known == m_known.end() ? nullptr : known->second.lock();
+}
+
+void TexturePool::forgetUnused()
+{
+    std::erase_if(m_known, [](const auto& known) { return known.second.expired(); });
+}
+
+TextureLibrary::TextureLibrary(std::shared_ptr<TexturePool> pool) : m_pool{std::move(pool)}
 {
     glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &m_mostLayers);
     clear();
@@ -43,12 +61,12 @@ void TextureLibrary::clear()
     white.texture = makeArray(1, ColourSpace::Srgb, 1);
     white.used = 1;
     const glm::u8vec4 texel{255};
-    white.texture.upload(&texel, GL_RGBA, GL_UNSIGNED_BYTE);
+    white.texture->upload(&texel, GL_RGBA, GL_UNSIGNED_BYTE);
 }
 
-TextureLibrary::Content TextureLibrary::contentOf(const io::Image& image, ColourSpace space, float alphaCutoff)
+TextureContent TextureLibrary::contentOf(const io::Image& image, ColourSpace space, float alphaCutoff)
 {
-    Content content{.hashA = 0x243f6a8885a308d3ull, .hashB = 0x13198a2e03707344ull, .space = int(space)};
+    TextureContent content{.hashA = 0x243f6a8885a308d3ull, .hashB = 0x13198a2e03707344ull, .space = int(space)};
     content.cutoff = alphaCutoff < 0 ? -1 : int(std::lround(alphaCutoff * 255));
     for (const int value : {image.size.x, image.size.y, image.channels, int(image.type)}) {
         content.hashA = mixed(content.hashA, std::uint64_t(value));
@@ -75,10 +93,11 @@ int TextureLibrary::arrayWithRoom(int side, ColourSpace space)
 
 void TextureLibrary::grow(Array& array)
 {
-    gl::Texture larger = makeArray(array.side, array.space, std::min(array.texture.layers() * 2, m_mostLayers));
-    for (int mip = 0; mip < larger.mips(); ++mip) {
-        const glm::ivec2 size = larger.size(mip);
-        glCopyImageSubData(array.texture.id(), GL_TEXTURE_2D_ARRAY, mip, 0, 0, 0, larger.id(), GL_TEXTURE_2D_ARRAY, mip, 0,
+    std::shared_ptr<gl::Texture> larger =
+        makeArray(array.side, array.space, std::min(array.texture->layers() * 2, m_mostLayers));
+    for (int mip = 0; mip < larger->mips(); ++mip) {
+        const glm::ivec2 size = larger->size(mip);
+        glCopyImageSubData(array.texture->id(), GL_TEXTURE_2D_ARRAY, mip, 0, 0, 0, larger->id(), GL_TEXTURE_2D_ARRAY, mip, 0,
                            0, 0, size.x, size.y, array.used);
     }
     array.texture = std::move(larger);
@@ -95,19 +114,32 @@ TextureLayer TextureLibrary::add(const std::shared_ptr<const io::Image>& image, 
     auto hashed = m_hashed.find(key);
     if (hashed == m_hashed.end())
         hashed = m_hashed.emplace(key, std::pair{source, contentOf(*source, space, alphaCutoff)}).first;
-    const Content& content = hashed->second.second;
+    const TextureContent& content = hashed->second.second;
     if (const auto known = m_known.find(content); known != m_known.end()) return known->second;
+
+    if (m_pool) return m_known.emplace(content, addAlone(content, *source, space, alphaCutoff)).first->second;
 
     const int side = textureSide(source->size, m_largestSide);
     const int index = arrayWithRoom(side, space);
     Array& array = m_arrays[std::size_t(index)];
-    if (array.used == array.texture.layers()) grow(array);
+    if (array.used == array.texture->layers()) grow(array);
     const TextureLayer place{.array = index, .layer = array.used++};
-    const std::vector<Pixels> mips = mipChain(*source, side, space, alphaCutoff);
-    for (std::size_t mip = 0; mip < mips.size(); ++mip)
-        array.texture.upload(mips[mip].data(), GL_RGBA, GL_UNSIGNED_BYTE, int(mip), place.layer);
+    fill(*array.texture, place.layer, mipChain(*source, side, space, alphaCutoff));
     m_known.emplace(content, place);
     return place;
+}
+
+TextureLayer TextureLibrary::addAlone(const TextureContent& content, const io::Image& image, ColourSpace space, float alphaCutoff)
+{
+    const int side = textureSide(image.size, m_largestSide);
+    std::shared_ptr<gl::Texture> texture = m_pool->find(content);
+    if (!texture) {
+        texture = makeArray(side, space, 1);
+        fill(*texture, 0, mipChain(image, side, space, alphaCutoff));
+        m_pool->keep(content, texture);
+    }
+    m_arrays.push_back({.texture = std::move(texture), .side = side, .space = space, .used = 1});
+    return {.array = int(m_arrays.size()) - 1, .layer = 0};
 }
 
 } // namespace renderer

@@ -79,8 +79,8 @@ Picture Thumbnails::make(GpuFrame& gpu, const World& world, io::TemplateId id, i
 {
     const auto scope = gpu.scope("thumbnail");
     resize(pixels);
-    const int number = world.modelOf(id);
-    ModelEntry model = number < 0 ? ModelEntry{} : world.models().entry(number);
+    const ModelRef found = world.modelOf(id);
+    ModelEntry model = found ? found.entry() : ModelEntry{};
     const float scale = scaleFor(model);
     model.centre *= scale;
     model.radius *= scale;
@@ -96,7 +96,7 @@ Picture Thumbnails::make(GpuFrame& gpu, const World& world, io::TemplateId id, i
     m_framebuffer.bind();
     gpu.constants(PASS_BINDING, glm::vec4{foot, std::max(0.6f * std::max(size.x, size.z), 0.05f)});
     gpu.fullScreen(m_backdrop, {}, {});
-    if (number >= 0) drawModel(gpu, world, id);
+    if (found) drawModel(gpu, world, id);
 
     Kept& kept = m_kept[id];
     kept.pixels = pixels;
@@ -109,19 +109,18 @@ Picture Thumbnails::make(GpuFrame& gpu, const World& world, io::TemplateId id, i
 
 void Thumbnails::drawModel(GpuFrame& gpu, const World& world, io::TemplateId id)
 {
-    const ModelLibrary& models = world.models();
     Ghost only{.templateId = id};
-    only.transform.scale = glm::vec3{scaleFor(models.entry(world.modelOf(id)))};
-    const DrawList list = drawsOf(gpu, world, {&only, 1});
+    only.transform.scale = glm::vec3{scaleFor(world.modelOf(id).entry())};
+    const std::vector<DrawList> lists = drawsOf(gpu, world, {&only, 1});
+    const DrawList& list = lists.front();
     for (const std::span<const DrawRange> ranges : {std::span{list.opaque}, std::span{list.blended}})
-        drawRanges(gpu, m_objects, models, list, ranges, [&](const DrawRange& range) {
-            const Batch& batch = models.batches()[std::size_t(range.batch)];
+        drawRanges(gpu, m_objects, list, ranges, [&](const DrawRange& range, const Batch& batch) {
             gl::apply({.depthTest = GL_GREATER,
                        .depthWrite = !batch.blend,
                        .cull = GLenum(batch.twoSided ? GL_NONE : GL_BACK),
                        .clockwise = range.mirrored,
                        .blend = batch.blend ? gl::Blend::Alpha : gl::Blend::None});
-            bindArrays(gpu, models, batch);
+            bindArrays(gpu, *list.models, batch);
             return gpu.use(m_programs.of(batch));
         });
 }

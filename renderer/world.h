@@ -1,14 +1,10 @@
-// The GPU's mirror of a scene's objects: one record each, found by id, uploaded only when it changed.
+// The GPU's mirror of a scene's objects: each has an instance on the path that its template chose.
 #pragma once
 
 #include "io/scene/assets.h"
 #include "io/scene/changes.h"
 #include "io/scene/scene.h"
-#include "renderer/cull.h"
-#include "renderer/draw_list.h"
-#include "renderer/gpu_culling.h"
-#include "renderer/model_library.h"
-#include "renderer/shaders/shared/instance.h"
+#include "renderer/placed_models.h"
 
 #include <span>
 #include <unordered_map>
@@ -16,21 +12,31 @@
 
 namespace renderer {
 
+struct ModelRef { // false: none
+    const ModelLibrary* library = nullptr;
+    int number = -1; // in it
+    const ModelEntry& entry() const { return library->entry(number); }
+    explicit operator bool() const { return library != nullptr; }
+};
+
 class World {
 public:
     void update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes);
     void select(std::span<const io::ObjectId> ids); // marked in the GBuffer
-    void upload(bool culledThere);                  // what changed since the last call, where the GPU culls
+    void upload(bool culledThere);                  // what changed since the last call; spheres where the GPU culls
 
-    // Draws for all that `request` lets through.
-    DrawList draws(GpuStream& stream, const CullRequest& request, bool blended) const;
+    // Draws for all that `request` lets through: one list, and one for each direct model of which something is seen.
+    void batchedDraws(GpuStream& stream, const CullRequest& request, bool blended, std::vector<DrawList>& lists) const;
+    void directDraws(GpuStream& stream, const CullRequest& request, bool blended, std::vector<DrawList>& lists) const;
 
-    GpuCullScene gpuScene() const { return {m_recordBuffer.id(), m_cullBuffer.id(), m_records.size()}; }
+    GpuCullScene gpuScene() const { return m_batched.gpuScene(); }
 
-    const ModelLibrary& models() const { return m_models; }
-    ImpostorAtlas& impostors() { return m_models.impostors(); }
-    int modelOf(io::TemplateId id) const; // -1: none
-    std::size_t instances() const { return m_records.size(); }
+    const ModelLibrary& sharedModels() const { return m_batched.shared(); }
+    ImpostorAtlas& impostors() { return m_batched.shared().impostors(); }
+    std::size_t directModels() const { return m_direct.models(); }
+    ModelRef modelOf(io::TemplateId id) const;
+    InstanceHandle handleOf(io::ObjectId id) const; // of nobody where it is not drawn
+    std::size_t instances() const { return m_handleOf.size(); }
     io::WorldBox boundsOf(std::span<const io::ObjectId> ids) const;
     io::WorldBox bounds() const { return m_bounds; } // at least everything; does not shrink until the next scene
     std::uint64_t uploadedBytes() const { return m_uploadedBytes; } // of instances, since the start
@@ -41,46 +47,39 @@ public:
     void forgetTouched() { m_touched.clear(); }
 
 private:
+    struct TemplateState {
+        io::DrawPath path = io::DrawPath::Batched;
+        int model = -1; // of that path
+        bool castShadow = true;
+        bool marker = false;
+        bool shows(const TemplateState& other) const { return path == other.path && model == other.model; }
+    };
+    PlacedModels& on(io::DrawPath path) { return path == io::DrawPath::Direct ? m_direct : m_batched; }
+    const PlacedModels& on(io::DrawPath path) const { return path == io::DrawPath::Direct ? m_direct : m_batched; }
+    const TemplateState& stateOf(io::TemplateId id) const;
+
     void rebuild(const io::Scene& scene, const io::Assets& assets);
     bool wasteful() const;
     void updateTemplates(const io::Scene& scene, const io::Assets& assets, std::span<const io::TemplateId> ids);
     void readTemplate(const io::Scene& scene, const io::Assets& assets, io::TemplateId id);
+    void unloadUnused(const TemplateState& before);
     void updateObject(const io::Scene& scene, io::ObjectId id);
-    void place(std::uint32_t slot, const io::Object& object);
-    void remove(std::uint32_t slot);
-    void touch(std::uint32_t slot);
-    void markPlace(std::uint32_t slot);
-    void setFlags(io::ObjectId id, std::uint32_t flags);
+    void place(const io::Object& object);
+    void remove(io::ObjectId id);
+    void markPlace(InstanceHandle handle);
+    void tint(io::ObjectId id, Tint tint);
 
-    struct TemplateState {
-        int model = -1;
-        bool castShadow = true;
-        bool marker = false;
-    };
-    ModelLibrary m_models;
+    PlacedModels m_batched{io::DrawPath::Batched}, m_direct{io::DrawPath::Direct};
     std::vector<TemplateState> m_templates; // by slot
+    std::unordered_map<std::uint32_t, InstanceHandle> m_handleOf; // by object id
 
-    // By slot, all the same length.
-    std::vector<glsl::Instance> m_records;
-    std::vector<glsl::CullRecord> m_cullRecords;
-    std::unordered_map<std::uint32_t, std::uint32_t> m_slotOf; // by object id
-
-    io::SceneTree<std::uint32_t> m_tree; // of slots
-    bool m_growing = false;              // the tree is built when all are there
-
-    std::vector<std::uint32_t> m_dirty; // slots, perhaps more than once
+    bool m_growing = false; // all is new: no places are marked
     std::vector<io::ObjectId> m_selection;
     bool m_selectionStale = false;
     std::vector<glm::dvec4> m_touched;
-    gl::Buffer m_recordBuffer, m_cullBuffer;
-    bool m_onGpu = false; // the buffers hold what was there at the last upload
     io::WorldBox m_bounds;
     std::uint64_t m_uploadedBytes = 0;
     std::uint64_t m_revision = 0;
-    mutable std::vector<Seen> m_seen; // kept between frames for its memory
 };
-
-glsl::Instance instanceOf(const io::Transform& transform, io::ObjectId id);
-bool isMirrored(const io::Transform& transform);
 
 } // namespace renderer

@@ -51,18 +51,15 @@ void GeometryPass::begin(const Viewpoint& viewpoint)
     glClearNamedFramebufferuiv(m_framebuffer.id(), GL_COLOR, 3, kNobody);
 }
 
-void GeometryPass::drawObjects(GpuFrame& gpu, const Scenery& scenery, const DrawList& objects)
+void GeometryPass::drawObjects(GpuFrame& gpu, const DrawList& objects)
 {
     m_framebuffer.bind();
-    const ModelLibrary& models = scenery.world.models();
-    models.bindMaterials();
-    drawRanges(gpu, m_objects, models, objects, objects.opaque, [&](const DrawRange& range) {
-        const Batch& batch = models.batches()[std::size_t(range.batch)];
+    drawRanges(gpu, m_objects, objects, objects.opaque, [&](const DrawRange& range, const Batch& batch) {
         gl::apply({.depthTest = GL_GREATER,
                    .depthWrite = true,
                    .cull = GLenum(batch.twoSided ? GL_NONE : GL_BACK),
                    .clockwise = range.mirrored});
-        bindArrays(gpu, models, batch);
+        bindArrays(gpu, *objects.models, batch);
         return gpu.use(m_programs.of(batch, range.fading));
     });
 }

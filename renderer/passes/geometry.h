@@ -24,7 +24,7 @@ public:
         Terrain::Draw ground;
     };
     void begin(const Viewpoint& viewpoint); // empty targets
-    void drawObjects(GpuFrame& gpu, const Scenery& scenery, const DrawList& objects);
+    void drawObjects(GpuFrame& gpu, const DrawList& objects);
     void drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draw& ground);
     const GBuffer& finish();                // what later passes may read
     const GBuffer& targets() const { return m_targets; }

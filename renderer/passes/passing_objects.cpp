@@ -1,20 +1,32 @@
 #include "renderer/passes/passing_objects.h"
 
-namespace renderer {
+#include <map>
 
-DrawList drawsOf(GpuFrame& gpu, const World& world, std::span<const Ghost> objects)
-{
+namespace renderer {
+namespace {
+
+struct Passing { // those of one library
     std::vector<glsl::Instance> instances;
     std::vector<Seen> seen;
+};
+
+} // namespace
+
+std::vector<DrawList> drawsOf(GpuFrame& gpu, const World& world, std::span<const Ghost> objects)
+{
+    std::map<const ModelLibrary*, Passing> passing;
     for (const Ghost& object : objects) {
-        const int model = world.modelOf(object.templateId);
-        if (model < 0) continue;
-        const ModelEntry& entry = world.models().entry(model);
-        seen.push_back({std::uint32_t(instances.size()), binIndex(entry, 0, isMirrored(object.transform), false)});
-        instances.push_back(instanceOf(object.transform, io::ObjectId::None));
+        const ModelRef model = world.modelOf(object.templateId);
+        if (!model) continue;
+        Passing& here = passing[model.library];
+        const std::uint32_t bin = binIndex(model.entry(), 0, isMirrored(object.transform), false);
+        here.seen.push_back({std::uint32_t(here.instances.size()), bin});
+        here.instances.push_back(instanceOf(object.transform, io::ObjectId::None));
     }
-    world.models().bindMaterials();
-    return makeDrawList(gpu.stream(), {.models = world.models(), .seen = seen, .instances = instances});
+    std::vector<DrawList> lists;
+    for (const auto& [library, here] : passing)
+        lists.push_back(makeDrawList(gpu.stream(), {.models = *library, .seen = here.seen, .instances = here.instances}));
+    return lists;
 }
 
 } // namespace renderer

@@ -6,7 +6,7 @@
 
 namespace renderer {
 
-// What to draw of them; the world's materials are bound.
-DrawList drawsOf(GpuFrame& gpu, const World& world, std::span<const Ghost> objects);
+// What to draw of them.
+std::vector<DrawList> drawsOf(GpuFrame& gpu, const World& world, std::span<const Ghost> objects);
 
 } // namespace renderer

@@ -56,10 +56,7 @@ ShowPass::ShowPass(ShaderLibrary& shaders)
 void ShowPass::drawAgain(GpuFrame& gpu, Scenery& scenery, const GeometryPass::Drawn& drawn, const gl::DrawState& state,
                          bool levels)
 {
-    const ModelLibrary& models = scenery.world.models();
-    models.bindMaterials();
-    const auto prepare = [&](const DrawRange& range) {
-        const Batch& batch = models.batches()[std::size_t(range.batch)];
+    const auto prepare = [&](const DrawRange& range, const Batch& batch) {
         gl::DrawState own = state;
         own.cull = batch.twoSided ? GL_NONE : GL_BACK;
         own.clockwise = range.mirrored;
@@ -67,7 +64,7 @@ void ShowPass::drawAgain(GpuFrame& gpu, Scenery& scenery, const GeometryPass::Dr
         return gpu.use((levels ? m_objectLevels : m_flatObjects).of(batch));
     };
     for (const DrawList& objects : drawn.objects)
-        drawRanges(gpu, m_objects, models, objects, objects.opaque, prepare);
+        drawRanges(gpu, m_objects, objects, objects.opaque, prepare);
     if (!scenery.terrain.present() || !gpu.use(levels ? m_groundLevels : m_flatGround)) return;
     gl::DrawState own = state;
     own.cull = GL_BACK;

@@ -92,26 +92,22 @@ void ShadowPass::renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint&
     // Slopes are pushed away from the light by part of their own depth range over a texel.
     gl::DrawState state{.depthTest = GL_LESS, .depthWrite = true, .depthClamp = true, .depthOffset = {1.25f, 2.0f}};
     const std::optional<Volume> volume = settings.culling ? std::optional{cascade.volume} : std::nullopt;
-    const ModelLibrary& models = scenery.world.models();
     const CullRequest request{.volume = volume,
                               .towardSun = viewpoint.towardSun,
                               .smallestRadius = float(cascade.texel * 0.5),
                               .errorLength = settings.lod ? float(cascade.texel) * kErrorTexels : 0.0f,
                               .impostors = true,
                               .required = CULL_CASTS_SHADOW};
-    const auto prepare = [&](const DrawRange& range) {
-        const Batch& batch = models.batches()[std::size_t(range.batch)];
-        const bool masked = batch.features & (kFeatureMask | kFeatureImpostor);
-        gl::apply(state);
-        if (masked) bindArrays(gpu, models, batch);
-        return gpu.use(masked ? m_masked.of(batch) : m_solid);
-    };
     const std::vector<DrawList> lists = m_choosers[index]->choose(gpu, scenery, request, settings, false);
-    models.bindMaterials();
     m_layers[index].bind();
     gpu.constants(VIEW_BINDING, view);
     for (const DrawList& list : lists)
-        drawRanges(gpu, m_objects, models, list, list.opaque, prepare);
+        drawRanges(gpu, m_objects, list, list.opaque, [&](const DrawRange&, const Batch& batch) {
+            const bool masked = batch.features & (kFeatureMask | kFeatureImpostor);
+            gl::apply(state);
+            if (masked) bindArrays(gpu, *list.models, batch);
+            return gpu.use(masked ? m_masked.of(batch) : m_solid);
+        });
 
     if (!scenery.terrain.present() || !gpu.use(m_ground)) return;
     const Terrain::Draw ground = scenery.terrain.draws(gpu.stream(), volume);

@@ -9,6 +9,25 @@ namespace {
 
 constexpr unsigned kAllFeatures = kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap | kFeatureUvTransform;
 
+struct BlendedRun {
+    const DrawList* list = nullptr;
+    std::span<const DrawRange> ranges; // that nothing of another list lies between
+};
+
+std::vector<BlendedRun> backToFront(std::span<const DrawList> lists)
+{
+    std::vector<BlendedRun> single, runs;
+    for (const DrawList& list : lists)
+        for (const DrawRange& range : list.blended)
+            single.push_back({&list, {&range, 1}});
+    std::ranges::stable_sort(single, std::greater{}, [](const BlendedRun& run) { return run.ranges[0].distance; });
+    for (const BlendedRun& next : single)
+        if (!runs.empty() && runs.back().list == next.list && &*next.ranges.begin() == &runs.back().ranges.back() + 1)
+            runs.back().ranges = {runs.back().ranges.data(), runs.back().ranges.size() + 1};
+        else runs.push_back(next);
+    return runs;
+}
+
 } // namespace
 
 TransparentPass::TransparentPass(ShaderLibrary& shaders)
@@ -48,27 +67,24 @@ void TransparentPass::render(GpuFrame& gpu, Radiance& radiance, const GBuffer& s
     if (std::ranges::none_of(objects, blends) && ghosts.empty()) return;
     const auto scope = gpu.scope("transparent");
     resize(radiance, surfaces);
-    for (const DrawList& list : objects)
-        if (blends(list)) drawBlended(gpu, scenery, viewpoint, list, settings);
+    if (std::ranges::any_of(objects, blends)) drawBlended(gpu, viewpoint, objects, settings);
     if (!ghosts.empty()) drawGhosts(gpu, radiance, scenery, viewpoint, ghosts, settings);
 }
 
-void TransparentPass::drawBlended(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const DrawList& objects,
+void TransparentPass::drawBlended(GpuFrame& gpu, const Viewpoint& viewpoint, std::span<const DrawList> objects,
                                   const Settings& settings)
 {
     ObjectPrograms& kinds = programs(false, viewpoint, settings);
-    const ModelLibrary& models = scenery.world.models();
     m_withIds.bind();
-    models.bindMaterials();
-    drawRanges(gpu, m_objects, models, objects, objects.blended, [&](const DrawRange& range) {
-        const Batch& batch = models.batches()[std::size_t(range.batch)];
-        gl::apply({.depthTest = GL_GREATER,
-                   .cull = GLenum(batch.twoSided ? GL_NONE : GL_BACK),
-                   .clockwise = range.mirrored,
-                   .blend = gl::Blend::Alpha});
-        bindArrays(gpu, models, batch);
-        return gpu.use(kinds.of(batch));
-    });
+    for (const auto& [list, ranges] : backToFront(objects))
+        drawRanges(gpu, m_objects, *list, ranges, [&](const DrawRange& range, const Batch& batch) {
+            gl::apply({.depthTest = GL_GREATER,
+                       .cull = GLenum(batch.twoSided ? GL_NONE : GL_BACK),
+                       .clockwise = range.mirrored,
+                       .blend = gl::Blend::Alpha});
+            bindArrays(gpu, *list->models, batch);
+            return gpu.use(kinds.of(batch));
+        });
 }
 
 // Their depth first, so that one sees through a ghost but not into it.
@@ -76,13 +92,17 @@ void TransparentPass::drawGhosts(GpuFrame& gpu, Radiance& radiance, Scenery& sce
                                  std::span<const Ghost> ghosts, const Settings& settings)
 {
     ObjectPrograms& kinds = programs(true, viewpoint, settings);
-    const ModelLibrary& models = scenery.world.models();
     radiance.framebuffer.bind();
-    const DrawList list = drawsOf(gpu, scenery.world, ghosts);
+    for (const DrawList& list : drawsOf(gpu, scenery.world, ghosts))
+        drawGhostList(gpu, kinds, list);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void TransparentPass::drawGhostList(GpuFrame& gpu, ObjectPrograms& kinds, const DrawList& list)
+{
     for (const bool depthOnly : {true, false})
         for (const std::span<const DrawRange> ranges : {std::span{list.opaque}, std::span{list.blended}})
-            drawRanges(gpu, m_objects, models, list, ranges, [&](const DrawRange& range) {
-                const Batch& batch = models.batches()[std::size_t(range.batch)];
+            drawRanges(gpu, m_objects, list, ranges, [&](const DrawRange& range, const Batch& batch) {
                 const bool masked = batch.features & kFeatureMask;
                 if (depthOnly && masked) return false; // holes would be filled
                 gl::apply({.depthTest = GLenum(depthOnly ? GL_GREATER : GL_GEQUAL),
@@ -92,10 +112,9 @@ void TransparentPass::drawGhosts(GpuFrame& gpu, Radiance& radiance, Scenery& sce
                            .blend = gl::Blend::Alpha});
                 if (depthOnly) glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
                 else glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-                bindArrays(gpu, models, batch);
+                bindArrays(gpu, *list.models, batch);
                 return gpu.use(depthOnly ? m_depthOnly : kinds.of(batch));
             });
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 } // namespace renderer

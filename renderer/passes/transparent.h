@@ -15,8 +15,8 @@ public:
 
 private:
     void resize(const Radiance& radiance, const GBuffer& surfaces);
-    void drawBlended(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const DrawList& objects,
-                     const Settings& settings);
+    void drawBlended(GpuFrame& gpu, const Viewpoint& viewpoint, std::span<const DrawList> objects, const Settings& settings);
+    void drawGhostList(GpuFrame& gpu, ObjectPrograms& kinds, const DrawList& list);
     void drawGhosts(GpuFrame& gpu, Radiance& radiance, Scenery& scenery, const Viewpoint& viewpoint,
                     std::span<const Ghost> ghosts, const Settings& settings);
     ObjectPrograms& programs(bool ghosts, const Viewpoint& viewpoint, const Settings& settings);

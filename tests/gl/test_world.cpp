@@ -42,7 +42,7 @@ TEST_F(WorldTest, MovingOneObjectUploadsOneRecord)
     m.update({.objects = {id}});
     EXPECT_EQ(m.gpu.uploadedBytes() - before, 2 * kUploaded) << "the last one took its place";
     EXPECT_EQ(m.gpu.instances(), 2999u);
-    EXPECT_EQ(m.gpu.modelOf(io::TemplateId::None), -1);
+    EXPECT_FALSE(m.gpu.modelOf(io::TemplateId::None));
 }
 
 TEST_F(WorldTest, ReplacedModelsDoNotPileUp)
@@ -53,9 +53,9 @@ TEST_F(WorldTest, ReplacedModelsDoNotPileUp)
         m.world.assets.models[1] = test::box({1, 1 + float(i), 1}, glm::vec4{1});
         m.update({.templates = {io::TemplateId{2}}});
     }
-    EXPECT_LT(m.gpu.models().size(), 20);
+    EXPECT_LT(m.gpu.sharedModels().size(), 20);
     EXPECT_EQ(m.gpu.instances(), 5u);
-    EXPECT_FLOAT_EQ(m.gpu.models().entry(m.gpu.modelOf(io::TemplateId{2})).bounds.max.y, 60);
+    EXPECT_FLOAT_EQ(m.gpu.modelOf(io::TemplateId{2}).entry().bounds.max.y, 60);
 }
 
 TEST_F(WorldTest, GroupsAndUnknownTemplatesAreNotDrawn)
