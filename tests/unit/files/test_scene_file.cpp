@@ -247,7 +247,9 @@ TEST(SceneFile, AHundredThousandObjectsComeAndGoQuickly)
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     EXPECT_EQ(sceneText(read.scene, "e"), text);
     EXPECT_TRUE(sameContent(read.scene, scene));
-    EXPECT_LT(seconds.count(), 5); // 0.3 s where it was written; slack for sanitizers and busy machines
+#ifndef __SANITIZE_ADDRESS__ // which is no clock
+    EXPECT_LT(seconds.count(), 5); // 0.3 s where it was written; slack for busy machines
+#endif
 }
 
 } // namespace
