@@ -196,6 +196,12 @@ TEST(Panels, HistoryGoesBack)
     EXPECT_EQ(rig.position(1).y, 0);
 }
 
+#ifdef __SANITIZE_ADDRESS__
+constexpr double kQuickFrame = 500; // ms
+#else
+constexpr double kQuickFrame = 16;
+#endif
+
 // The quickest of some frames, ms: other programs on the machine do not count.
 double frameMs(Rig& rig)
 {
@@ -214,7 +220,7 @@ TEST(Panels, AHundredThousandObjectsStayQuick)
     Rig rig{crates(100'000)};
     rig.editor->selection().set(io::ObjectId{5});
     rig.frame(5);
-    EXPECT_LT(frameMs(rig), 16);
+    EXPECT_LT(frameMs(rig), kQuickFrame);
     EXPECT_TRUE(rig.has("crate 5", "row"));
 }
 
@@ -223,7 +229,7 @@ TEST(Panels, AllOfManyObjectsCanBeSelected)
     Rig rig{crates(20'000)};
     rig.key(editor::ctrl(Key::A));
     EXPECT_EQ(rig.editor->selection().size(), 20'000u);
-    EXPECT_LT(frameMs(rig), 16);
+    EXPECT_LT(frameMs(rig), kQuickFrame);
 }
 
 } // namespace
