@@ -82,10 +82,11 @@ void Viewport::endGizmo(Editor& editor, bool keep)
         editor.document()->cancelGesture();
 }
 
-// Of what is under the pointer: it is selected first, unless it is already.
+// Of what was under the pointer when it was pressed: held for looking, a pointer is hidden and has no place. It is
+// selected first, unless it is already.
 void Viewport::openContextMenu(Editor& editor)
 {
-    const PickHit hit = editor.picker().pick(view(), pointer());
+    const PickHit hit = editor.picker().pick(view(), m_pressed);
     if (hit.surface == Surface::Object) {
         const std::vector<io::ObjectId> ids = wholeGroups(editor.document()->hierarchy(), {&hit.id, 1});
         if (!ids.empty() && !editor.selection().contains(ids.front())) editor.selection().set(ids);

@@ -40,9 +40,10 @@ xdotool mouseup 3
 until_true 30 "a pointer that is seen again" pointer_shown
 still "$out/looked.png"
 
-# On a slow machine: the way of the pointer to the press is no look.
+# On a slow machine: the way of the pointer to the press is no look. Not to the very pixel where the look before began:
+# GLFW 3.3 put the pointer back there, and takes a move that ends there for its own.
 freeze
-xdotool mousemove $x $y mousemove $sky_x $sky_y mousedown 3
+xdotool mousemove $x $y mousemove $((sky_x + 5)) $sky_y mousedown 3
 thaw
 until_true 30 "a hidden pointer" pointer_hidden
 sleep 0.5
