@@ -58,7 +58,7 @@ struct CullCounts { // instances: inside the view, of those large enough, hidden
 SHARED_STRUCT_END(CullCounts, 32)
 
 // Levels fade into one another over this share of the distance from which the coarser one will do.
-#define LEVEL_FADE 0.15f
+#define LEVEL_FADE 0.08f
 
 SHARED_FUNCTION bool wanted(CullRecord r, CullView v)
 {
