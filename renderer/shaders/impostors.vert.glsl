@@ -14,12 +14,6 @@ layout(location = 5) in vec2 inPlace;     // radius in m, layer
 
 invariant gl_Position; // passes that draw the same surface again compare depths for equality
 
-#ifdef LEVELS
-layout(location = 1) flat out float level;
-#endif
-#ifdef FADE
-layout(location = 13) flat out uint fade;
-#endif
 #ifdef SHADOW
 layout(location = 0) out vec2 place;         // in its frame, in the frame's sides
 layout(location = 1) flat out vec4 frame;    // where it begins, layer, mip
@@ -66,12 +60,7 @@ void main()
 #endif
     vec3 stands = corner - ray * (forward / distance_);
     gl_Position = view.clipFromRelative * vec4(origin + model * (inCentre + stands * radius), 1.0);
-#ifdef LEVELS
-    level = float(instanceLevel());
-#endif
-#ifdef FADE
-    fade = instanceFade();
-#endif
+    passOnLevel();
 
 #ifdef SHADOW
     vec3 f = frameDirection(floor(frameGrid(normalize(vec3(towardEye.x, max(towardEye.y, 0.0), towardEye.z))) + 0.5));

@@ -13,12 +13,6 @@ layout(location = 6) in uint inMaterial;
 
 invariant gl_Position; // passes that draw the same surface again compare depths for equality
 
-#ifdef LEVELS
-layout(location = 1) flat out float level;
-#endif
-#ifdef FADE
-layout(location = 13) flat out uint fade;
-#endif
 #ifndef POSITION_ONLY
 layout(location = 0) out vec2 uvBase;
 #ifndef SHADOW
@@ -67,12 +61,7 @@ void main()
     vec3 origin = instancePlace(view.eyeHigh, view.eyeLow);
     vec3 place = origin + inAxisX * inPosition.x + inAxisY * inPosition.y + inAxisZ * inPosition.z;
     gl_Position = view.clipFromRelative * vec4(place, 1.0);
-#ifdef LEVELS
-    level = float(instanceLevel());
-#endif
-#ifdef FADE
-    fade = instanceFade();
-#endif
+    passOnLevel();
 
 #ifndef POSITION_ONLY
     QuickMaterial material = quickMaterial(inMaterial);

@@ -28,14 +28,22 @@ uint instanceFlags()
     return inPositionLow.w & DRAWN_FLAGS_MASK;
 }
 
-uint instanceLevel()
-{
-    return (inPositionLow.w >> DRAWN_LEVEL_SHIFT) & DRAWN_LEVEL_MASK;
-}
+#ifdef LEVELS
+layout(location = 1) flat out float level;
+#endif
+#ifdef FADE
+layout(location = 13) flat out uint fade;
+#endif
 
-uint instanceFade()
+// What fragments know of the level of detail, where they ask.
+void passOnLevel()
 {
-    return inPositionLow.w >> DRAWN_FADE_SHIFT;
+#ifdef LEVELS
+    level = float((inPositionLow.w >> DRAWN_LEVEL_SHIFT) & DRAWN_LEVEL_MASK);
+#endif
+#ifdef FADE
+    fade = inPositionLow.w >> DRAWN_FADE_SHIFT;
+#endif
 }
 
 struct QuickMaterial {
