@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace renderer {
 namespace {
 
-// What is seen, sorted by bin.
+// What is seen, sorted by bin, and in each from front to back.
 struct Binned {
     std::vector<std::uint32_t> begin; // of each bin in `drawn`, and one past the end
     std::vector<std::uint32_t> drawn;
+    std::vector<std::uint8_t> band;   // of distance, beside `drawn`
 
     std::uint32_t count(std::size_t bin) const { return begin[bin + 1] - begin[bin]; }
 };
@@ -38,41 +42,63 @@ private:
     bool m_parallel = false;
 };
 
-// Roughly from front to back, so that near things hide far ones before those are shaded. A counting sort: the order
-// within a step of distance stays.
-std::vector<Seen> frontToBack(const DrawSource& source)
-{
-    constexpr std::size_t kSteps = 512;
-    const Distance distance{source};
-    std::vector<float> keys(source.seen.size());
-    std::ranges::transform(source.seen, keys.begin(), distance, &Seen::drawn);
-    const auto [low, high] = std::ranges::minmax(keys);
-    const float scale = high > low ? float(kSteps - 1) / (high - low) : 0.0f;
-    const auto stepOf = [&](float key) { return std::size_t((key - low) * scale); };
-    std::array<std::uint32_t, kSteps + 1> next{};
-    for (const float key : keys)
-        ++next[stepOf(key) + 1];
-    for (std::size_t i = 1; i < next.size(); ++i)
-        next[i] += next[i - 1];
-    std::vector<Seen> sorted(source.seen.size());
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        sorted[next[stepOf(keys[i])]++] = source.seen[i];
-    return sorted;
-}
+constexpr std::size_t kBands = 12;  // of distance, drawn one after the other
+constexpr std::size_t kSteps = 512; // of distance, by which things are sorted roughly
 
+// Steps of distance between the nearest and the farthest thing: equal ones along parallel light, growing ones from an eye.
+class Steps {
+public:
+    explicit Steps(const DrawSource& source) : m_distance{source}, m_growing{!source.towardSun}
+    {
+        for (const Seen& one : source.seen) {
+            const float key = keyOf(one.drawn);
+            m_low = std::min(m_low, key);
+            m_high = std::max(m_high, key);
+        }
+        m_scale = m_high > m_low ? float(kSteps - 1) / (m_high - m_low) : 0.0f;
+    }
+    std::size_t operator()(std::uint32_t drawn) const { return std::size_t((keyOf(drawn) - m_low) * m_scale); }
+
+private:
+    float keyOf(std::uint32_t drawn) const
+    {
+        const float distance = m_distance(drawn);
+        return m_growing ? std::log2(distance + 4.0f) : distance;
+    }
+
+    Distance m_distance;
+    bool m_growing;
+    float m_low = std::numeric_limits<float>::max(), m_high = std::numeric_limits<float>::lowest(), m_scale = 0;
+};
+
+// From front to back, so that near things hide far ones before those are shaded. Counting sorts: what is equal keeps its
+// order.
 Binned binned(const DrawSource& source)
 {
-    const std::vector<Seen> seen = frontToBack(source);
+    const Steps steps{source};
+    std::vector<std::uint16_t> step(source.seen.size());
+    std::ranges::transform(source.seen, step.begin(), steps, &Seen::drawn);
+    std::array<std::uint32_t, kSteps + 1> nextOfStep{};
+    for (const std::uint16_t one : step)
+        ++nextOfStep[one + 1u];
+    std::partial_sum(nextOfStep.begin(), nextOfStep.end(), nextOfStep.begin());
+    std::vector<std::uint32_t> sorted(source.seen.size());
+    for (std::uint32_t i = 0; i < step.size(); ++i)
+        sorted[nextOfStep[step[i]]++] = i;
+
     Binned result;
     result.begin.assign(source.models.bins().size() + 1, 0);
-    for (const Seen& one : seen)
+    for (const Seen& one : source.seen)
         ++result.begin[one.bin + 1];
-    for (std::size_t i = 1; i < result.begin.size(); ++i)
-        result.begin[i] += result.begin[i - 1];
-    result.drawn.resize(seen.size());
+    std::partial_sum(result.begin.begin(), result.begin.end(), result.begin.begin());
+    result.drawn.resize(sorted.size());
+    result.band.resize(sorted.size());
     std::vector<std::uint32_t> next = result.begin;
-    for (const Seen& one : seen)
-        result.drawn[next[one.bin]++] = one.drawn;
+    for (const std::uint32_t i : sorted) {
+        const std::uint32_t at = next[source.seen[i].bin]++;
+        result.drawn[at] = source.seen[i].drawn;
+        result.band[at] = std::uint8_t(step[i] * kBands / kSteps);
+    }
     return result;
 }
 
@@ -111,6 +137,8 @@ struct PartInBatch {
     int batch = 0;
     std::uint32_t bin = 0;
     const ModelPart* part = nullptr;
+    std::uint32_t first = 0, instances = 0; // in the instance list
+    int band = 0;
 };
 
 std::span<const ModelPart> partsOf(const ModelLibrary& models, std::uint32_t bin)
@@ -119,19 +147,39 @@ std::span<const ModelPart> partsOf(const ModelLibrary& models, std::uint32_t bin
     return models.entry(which.model).levels[std::size_t(which.level)].parts;
 }
 
-// The opaque parts of what is seen at all, grouped by batch.
+// A part of a bin's instances, band by band of distance.
+void addBands(std::vector<PartInBatch>& parts, PartInBatch part, const Binned& bins)
+{
+    for (std::uint32_t first = bins.begin[part.bin], i = first; i < bins.begin[part.bin + 1]; ++i) {
+        if (i + 1 < bins.begin[part.bin + 1] && bins.band[i + 1] == bins.band[first]) continue;
+        part.first = first;
+        part.instances = i + 1 - first;
+        part.band = bins.band[first];
+        parts.push_back(part);
+        first = i + 1;
+    }
+}
+
+// The opaque parts of what is seen at all, grouped by batch. What has no holes first: it hides most and costs least. What
+// has some goes from front to back across all models, as each layer of leaves costs as much as the one that is seen.
 std::vector<PartInBatch> opaqueParts(const ModelLibrary& models, const Binned& bins)
 {
     std::vector<PartInBatch> parts;
     for (std::uint32_t bin = 0; bin + 1 < bins.begin.size(); ++bin) {
         if (bins.count(bin) == 0) continue;
-        for (const ModelPart& part : partsOf(models, bin))
-            if (!models.batches()[std::size_t(part.batch)].blend) parts.push_back({part.batch, bin, &part});
+        for (const ModelPart& part : partsOf(models, bin)) {
+            const Batch& batch = models.batches()[std::size_t(part.batch)];
+            const PartInBatch whole{part.batch, bin, &part, bins.begin[bin], bins.count(bin)};
+            if (batch.blend) continue;
+            const bool impostor = batch.features & kFeatureImpostor;
+            if (hasHoles(batch) && !impostor) addBands(parts, whole, bins);
+            else parts.push_back(whole);
+            if (impostor) parts.back().band = int(kBands); // the farthest of all, and many: one command a model
+        }
     }
-    // What has no holes first: it hides most and costs least.
     std::ranges::stable_sort(parts, {}, [&](const PartInBatch& p) {
-        const bool masked = models.batches()[std::size_t(p.batch)].features & (kFeatureMask | kFeatureImpostor);
-        return std::tuple{masked, models.bins()[p.bin].fading, p.batch, models.bins()[p.bin].mirrored};
+        const bool holes = hasHoles(models.batches()[std::size_t(p.batch)]);
+        return std::tuple{holes, p.band, models.bins()[p.bin].fading, p.batch, models.bins()[p.bin].mirrored};
     });
     return parts;
 }
@@ -166,11 +214,6 @@ std::uint64_t instancesIn(std::span<const Seen> seen)
         seen, [](const Seen& one) { return (one.drawn >> DRAWN_FADE_SHIFT) < DRAWN_FADE_OTHERS; }));
 }
 
-std::uint32_t leastOf(const Binned& bins, std::uint32_t bin)
-{
-    return *std::min_element(bins.drawn.begin() + bins.begin[bin], bins.drawn.begin() + bins.begin[bin + 1]);
-}
-
 // Whether each bin's records follow one another and a view adds nothing to them, neither a level nor a share that is
 // faded: an entry is then a slot.
 bool standInRow(const ModelLibrary& models, const Binned& bins)
@@ -183,6 +226,14 @@ bool standInRow(const ModelLibrary& models, const Binned& bins)
         if (*most - *least + 1 != bins.count(bin)) return false;
     }
     return true;
+}
+
+// The buffer's order, at the price of the distance's.
+void orderAsTheyStand(Binned& bins)
+{
+    for (std::uint32_t bin = 0; bin + 1 < bins.begin.size(); ++bin)
+        std::sort(bins.drawn.begin() + bins.begin[bin], bins.drawn.begin() + bins.begin[bin + 1]);
+    std::ranges::fill(bins.band, std::uint8_t(0));
 }
 
 // Software GL reads an attribute of an instance many times faster than it fetches a record for each vertex, and a view
@@ -208,21 +259,21 @@ DrawList makeDrawList(GpuStream& stream, const DrawSource& source)
     list.models = &source.models;
     list.visible = instancesIn(source.seen);
     if (source.seen.empty()) return list;
-    const Binned bins = binned(source);
+    Binned bins = binned(source);
     const bool inPlace = source.recordBuffer != 0 && standInRow(source.models, bins);
-    const auto firstOf = [&](std::uint32_t bin) { return inPlace ? leastOf(bins, bin) : bins.begin[bin]; };
+    if (inPlace) orderAsTheyStand(bins);
+    const auto placeOf = [&](std::uint32_t index) { return inPlace ? bins.drawn[index] : index; };
     const std::span<const Bin> kinds = source.models.bins();
     std::vector<DrawCommand> commands;
     Writer writer{list, commands};
     for (const PartInBatch& part : opaqueParts(source.models, bins))
         writer.add(list.opaque, part.batch, kinds[part.bin],
-                   commandOf(*part.part, bins.count(part.bin), firstOf(part.bin)));
+                   commandOf(*part.part, part.instances, placeOf(part.first)));
     if (source.apart) writer.keepApart();
     if (source.blended)
         for (const BlendedPart& part : blendedParts(source, bins)) {
-            const std::uint32_t instance = inPlace ? bins.drawn[part.index] : part.index;
             const std::size_t ranges = list.blended.size();
-            writer.add(list.blended, part.part->batch, kinds[part.bin], commandOf(*part.part, 1, instance));
+            writer.add(list.blended, part.part->batch, kinds[part.bin], commandOf(*part.part, 1, placeOf(part.index)));
             if (list.blended.size() > ranges) list.blended.back().distance = part.distance;
         }
     if (commands.empty()) return list;

@@ -54,7 +54,7 @@ void CullTable::update(const ModelLibrary& models)
             placed.push_back({bin, &part});
     }
     std::ranges::stable_sort(placed, {}, [&](const Placed& p) {
-        const bool holes = models.batches()[std::size_t(p.part->batch)].features & (kFeatureMask | kFeatureImpostor);
+        const bool holes = hasHoles(models.batches()[std::size_t(p.part->batch)]);
         return std::tuple{holes, bins[p.bin].fading, p.part->batch, bins[p.bin].mirrored};
     });
     m_ranges.clear();

@@ -10,7 +10,8 @@ namespace {
 constexpr int kSide = IMPOSTOR_FRAMES * IMPOSTOR_FRAME_TEXELS; // texels
 constexpr int kFrames = IMPOSTOR_FRAMES * IMPOSTOR_FRAMES;
 constexpr std::uint32_t kMostIndices = 3 * 4000; // of the level that is taken, where there is a choice
-constexpr unsigned kAllFeatures = kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap | kFeatureUvTransform;
+constexpr unsigned kAllFeatures = kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap | kFeatureUvTransform |
+                                  kFeatureSmoothColours;
 
 // The finest mesh that does not cost more than its picture shows.
 int bakedLevel(const ModelEntry& model)

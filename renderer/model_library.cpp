@@ -25,6 +25,35 @@ bool hasBentNormals(const io::Model& model, const io::Part& part)
     return bent * 6 > part.indexCount / 3;
 }
 
+// Whether something is true of each triangle that a material covers, at any level.
+bool everyTriangle(const io::Model& model, int material, auto&& isTrue)
+{
+    const auto inside = [&](std::span<const std::uint32_t> indices, std::span<const io::Part> parts) {
+        for (const io::Part& part : parts)
+            for (std::uint32_t i = 0; part.material == material && i + 2 < part.indexCount; i += 3) {
+                const std::uint32_t* corner = &indices[part.firstIndex + i];
+                if (!isTrue(model.vertices[corner[0]], model.vertices[corner[1]], model.vertices[corner[2]])) return false;
+            }
+        return true;
+    };
+    return inside(model.indices, model.parts) &&
+           std::ranges::all_of(model.levels, [&](const io::Level& level) { return inside(level.indices, level.parts); });
+}
+
+// No coordinate leaves the picture: how that goes on beyond its edges does not matter then, and need not be paid for.
+bool staysOnTexture(const io::Model& model, int material)
+{
+    const auto inside = [](const glm::vec2& uv) { return glm::all(glm::lessThanEqual(glm::abs(uv - 0.5f), glm::vec2{0.5f})); };
+    return everyTriangle(model, material, [&](const auto&... corner) { return ((inside(corner.uv0) && inside(corner.uv1)) && ...); });
+}
+
+bool hasSmoothColours(const io::Model& model, int material)
+{
+    return !everyTriangle(model, material, [](const io::Vertex& a, const io::Vertex& b, const io::Vertex& c) {
+        return a.colour == b.colour && a.colour == c.colour;
+    });
+}
+
 glsl::CullModel cullModelOf(const ModelEntry& entry)
 {
     glsl::CullModel model{};
@@ -73,6 +102,7 @@ std::vector<std::string> definesOf(unsigned features)
     if (features & kFeatureNormalMap) defines.emplace_back("NORMAL_MAP");
     if (features & kFeatureSurfaceMaps) defines.emplace_back("SURFACE_MAPS");
     if (features & kFeatureWrap) defines.emplace_back("WRAP");
+    if (features & kFeatureSmoothColours) defines.emplace_back("SMOOTH_COLOURS");
     if (features & kFeatureUvTransform) defines.emplace_back("UV_TRANSFORM");
     return defines;
 }
@@ -127,7 +157,7 @@ glsl::MaterialTexture ModelLibrary::addTexture(const io::Model& model, const io:
     batch.arrays[std::size_t(unit)] = layer.array;
     const bool moved = use.offset != glm::vec2{0} || use.scale != glm::vec2{1} || use.rotation != 0;
     if (moved || use.uvSet == 1) batch.features |= kFeatureUvTransform;
-    if (use.wrapU != io::Wrap::Repeat || use.wrapV != io::Wrap::Repeat) batch.features |= kFeatureWrap;
+    if (!m_staysOnTexture && (use.wrapU != io::Wrap::Repeat || use.wrapV != io::Wrap::Repeat)) batch.features |= kFeatureWrap;
 
     // Counter-clockwise on the image, whose v runs down.
     const float c = std::cos(use.rotation), s = std::sin(use.rotation);
@@ -146,6 +176,7 @@ std::uint32_t ModelLibrary::addMaterial(const io::Model& model, const io::Part& 
     batch.twoSided = from.doubleSided;
     batch.blend = from.alphaMode == io::AlphaMode::Blend;
     if (mask) batch.features |= kFeatureMask;
+    if (hasSmoothColours(model, part.material)) batch.features |= kFeatureSmoothColours;
     if (from.normalTexture.image >= 0) batch.features |= kFeatureNormalMap;
     if (from.metallicRoughnessTexture.image >= 0 || from.occlusionTexture.image >= 0 ||
         from.emissiveTexture.image >= 0 || from.emissive != glm::vec3{0})
@@ -163,6 +194,7 @@ std::uint32_t ModelLibrary::addMaterial(const io::Model& model, const io::Part& 
     to.flags = (from.unlit ? MATERIAL_UNLIT : 0u) | (leaf ? MATERIAL_LEAF : 0u) |
                (from.doubleSided && hasBentNormals(model, part) ? MATERIAL_KEEP_NORMAL : 0u);
 
+    m_staysOnTexture = staysOnTexture(model, part.material);
     const float cutoff = mask ? from.alphaCutoff : -1.0f;
     const io::TextureUse* uses[MATERIAL_TEXTURES] = {&from.baseColourTexture, &from.metallicRoughnessTexture,
                                                      &from.normalTexture, &from.occlusionTexture, &from.emissiveTexture};

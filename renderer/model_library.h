@@ -27,6 +27,8 @@ enum Feature : unsigned {
     kFeatureWrap = 8,       // a texture that does not repeat
     kFeatureImpostor = 16,  // a quad with pictures of the model, drawn by programs of its own
     kFeatureUvTransform = 32, // a texture that is moved, scaled or turned, or uses the second coordinates
+    kFeatureSmoothColours = 64, // colours differ between the corners of a triangle
+    kFeatureEnd = 128,
 };
 std::vector<std::string> definesOf(unsigned features);
 
@@ -37,6 +39,12 @@ struct Batch {
     std::array<int, MATERIAL_TEXTURES> arrays{}; // of the texture library, by unit
     auto operator<=>(const Batch&) const = default;
 };
+
+// Not every fragment of it stays.
+inline bool hasHoles(const Batch& batch)
+{
+    return batch.features & (kFeatureMask | kFeatureImpostor);
+}
 
 struct ModelPart {
     std::uint32_t firstIndex = 0;
@@ -113,6 +121,7 @@ private:
     void addImpostor(const io::Model& model, ModelEntry& entry);
 
     bool m_single;
+    bool m_staysOnTexture = false; // the material being added, in its coordinates
     TextureLibrary m_textures;
     ImpostorAtlas m_impostors;
     std::vector<ModelEntry> m_entries;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace renderer {
 namespace {
@@ -225,29 +226,42 @@ void Terrain::aim(const Eye& eye, double leniency)
     }
 }
 
+bool Terrain::sees(const std::optional<Volume>& volume, const GroundNode& node) const
+{
+    if (!volume) return true;
+    const int side = TERRAIN_QUADS << node.level;
+    const glm::ivec2 last = glm::min(node.origin + side, m_map->size - 1);
+    const glm::dvec2 low = m_map->origin + glm::dvec2{node.origin} * m_map->metresPerTexel;
+    const glm::dvec2 high = m_map->origin + glm::dvec2{last} * m_map->metresPerTexel;
+    const glm::dvec3 centre = glm::dvec3{low.x + high.x, double(node.low) + node.high, low.y + high.y} * 0.5;
+    const glm::dvec3 half = glm::dvec3{high.x, node.high, high.y} - centre;
+    return std::ranges::all_of(volume->planes, [&](const glm::dvec4& p) {
+        return glm::dot(glm::dvec3{p}, centre) + p.w + glm::dot(glm::abs(glm::dvec3{p}), half) >= 0;
+    });
+}
+
 Terrain::Draw Terrain::draws(GpuStream& stream, const std::optional<Volume>& volume) const
 {
+    std::vector<GroundNode> nodes;
+    std::ranges::copy_if(m_nodes, std::back_inserter(nodes), [&](const GroundNode& node) { return sees(volume, node); });
+    return drawsOf(stream, nodes);
+}
+
+Terrain::Draw Terrain::shadowDraws(GpuStream& stream, const std::optional<Volume>& volume, double error) const
+{
+    if (!present()) return {};
+    return drawsOf(stream, m_tree.selectLevel(m_tree.coarsestWithin(error), [&](const GroundNode& node) { return sees(volume, node); }));
+}
+
+Terrain::Draw Terrain::drawsOf(GpuStream& stream, std::span<const GroundNode> nodes) const
+{
     Draw draw;
-    if (m_nodes.empty()) return draw;
-    const auto seen = [&](const GroundNode& node) {
-        if (!volume) return true;
-        const int side = TERRAIN_QUADS << node.level;
-        const glm::ivec2 last = glm::min(node.origin + side, m_map->size - 1);
-        const glm::dvec2 low = m_map->origin + glm::dvec2{node.origin} * m_map->metresPerTexel;
-        const glm::dvec2 high = m_map->origin + glm::dvec2{last} * m_map->metresPerTexel;
-        const glm::dvec3 centre = glm::dvec3{low.x + high.x, double(node.low) + node.high, low.y + high.y} * 0.5;
-        const glm::dvec3 half = glm::dvec3{high.x, node.high, high.y} - centre;
-        return std::ranges::all_of(volume->planes, [&](const glm::dvec4& p) {
-            return glm::dot(glm::dvec3{p}, centre) + p.w + glm::dot(glm::abs(glm::dvec3{p}), half) >= 0;
-        });
-    };
     std::vector<glsl::TerrainPatch> patches;
     std::vector<std::array<std::uint32_t, 5>> commands;
     for (int kind = -1; kind < 4; ++kind) { // wholes, then the quarters
         const auto first = std::uint32_t(patches.size());
-        for (const GroundNode& node : m_nodes)
-            if (node.quarter == kind && seen(node))
-                patches.push_back({glm::vec2{node.origin}, float(1 << node.level), float(node.level)});
+        for (const GroundNode& node : nodes)
+            if (node.quarter == kind) patches.push_back({glm::vec2{node.origin}, float(1 << node.level), float(node.level)});
         const auto instances = std::uint32_t(patches.size()) - first;
         if (instances == 0) continue;
         const std::uint32_t indices = kind < 0 ? 4 * kQuarterIndices : kQuarterIndices;
@@ -261,12 +275,22 @@ Terrain::Draw Terrain::draws(GpuStream& stream, const std::optional<Volume>& vol
     return draw;
 }
 
-void Terrain::bind(GpuFrame& gpu, bool shading) const
+void Terrain::bind(GpuFrame& gpu) const
 {
     gpu.constants(TERRAIN_BINDING, m_block);
+    gpu.bind({{HEIGHTS_UNIT, &m_heights},
+              {GROUND_NORMALS_UNIT, &m_normals},
+              {LAYER_COLOURS_UNIT, &m_layerColours},
+              {LAYER_NORMALS_UNIT, &m_layerNormals}});
+}
+
+void Terrain::bindForShadows(GpuFrame& gpu) const
+{
+    glsl::Terrain still = m_block;
+    for (glm::vec4& morph : still.morph)
+        morph = {1e30f, 0, 0, 0};
+    gpu.constants(TERRAIN_BINDING, still);
     gpu.bind({{HEIGHTS_UNIT, &m_heights}});
-    if (shading)
-        gpu.bind({{GROUND_NORMALS_UNIT, &m_normals}, {LAYER_COLOURS_UNIT, &m_layerColours}, {LAYER_NORMALS_UNIT, &m_layerNormals}});
 }
 
 void Terrain::draw(GpuFrame& gpu, const Draw& draw)

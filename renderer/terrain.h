@@ -15,8 +15,7 @@ public:
     void update(const io::Terrain& terrain, const io::Assets& assets);
     bool present() const { return m_heights.id() != 0; }
 
-    // Chooses the levels of detail for an eye. All views of the frame share them, shadows too, so that no surface
-    // casts on another level of itself.
+    // Chooses the levels of detail for an eye.
     void aim(const Eye& eye, double leniency = 1); // 1: errors of about a pixel
 
     // The chosen nodes that a volume (or, without one, everybody) sees; the block and textures are bound.
@@ -26,7 +25,10 @@ public:
         std::uint64_t triangles = 0;
     };
     Draw draws(GpuStream& stream, const std::optional<Volume>& volume) const;
-    void bind(GpuFrame& gpu, bool shading) const;
+    // The same wherever the eye is: of one level that strays at most `error` m. So a shadow map that is kept stays right.
+    Draw shadowDraws(GpuStream& stream, const std::optional<Volume>& volume, double error) const;
+    void bind(GpuFrame& gpu) const;          // to be shaded
+    void bindForShadows(GpuFrame& gpu) const;
     void draw(GpuFrame& gpu, const Draw& draw);
 
     int layers() const { return m_block.layers; } // at least 1
@@ -38,6 +40,8 @@ private:
     void uploadHeights();
     void uploadLayers(const io::Terrain& terrain, const io::Assets& assets);
     void makeGrid();
+    bool sees(const std::optional<Volume>& volume, const GroundNode& node) const;
+    Draw drawsOf(GpuStream& stream, std::span<const GroundNode> nodes) const;
 
     std::shared_ptr<const io::HeightMap> m_map;
     TerrainTree m_tree;

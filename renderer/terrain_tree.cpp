@@ -82,6 +82,21 @@ double TerrainTree::firstRange(double pixels, double pixelAngle, double metresPe
     return std::max(kSmallestRange, std::min(range, finest));
 }
 
+int TerrainTree::coarsestWithin(double metres) const
+{
+    int coarsest = 0;
+    for (int level = 1; level < levels() && double(m_levels[std::size_t(level)].error) <= metres; ++level)
+        coarsest = level;
+    return coarsest;
+}
+
+GroundNode TerrainTree::nodeAt(int level, glm::ivec2 node) const
+{
+    const Level& own = m_levels[std::size_t(level)];
+    const glm::vec2 lowHigh = own.lowHigh[std::size_t(node.y) * own.nodes.x + node.x];
+    return {.origin = node * nodeSide(level), .level = level, .low = lowHigh.x, .high = lowHigh.y};
+}
+
 bool TerrainTree::touches(const Eye& eye, int level, glm::ivec2 node, double range) const
 {
     const glm::dvec2 low = glm::dvec2{node * nodeSide(level)};
@@ -97,9 +112,7 @@ bool TerrainTree::selectNode(const Eye& eye, int level, glm::ivec2 node, std::ve
     const double range = eye.firstRange * std::exp2(level);
     if (!root && !touches(eye, level, node, range)) return false;
 
-    const Level& own = m_levels[std::size_t(level)];
-    const glm::vec2 lowHigh = own.lowHigh[std::size_t(node.y) * own.nodes.x + node.x];
-    GroundNode made{.origin = node * nodeSide(level), .level = level, .low = lowHigh.x, .high = lowHigh.y};
+    GroundNode made = nodeAt(level, node);
     if (level == 0 || !touches(eye, level, node, range / 2)) {
         out.push_back(made);
         return true;

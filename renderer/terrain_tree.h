@@ -36,7 +36,30 @@ public:
     // The finest level's range for an error of at most `pixels`, from how far each level strays from the map.
     double firstRange(double pixels, double pixelAngle, double metresPerTexel) const;
 
+    // Of one level everywhere, whatever the eye; those that `seen(node)` lets through, each asked after its parent.
+    template <class Test>
+    std::vector<GroundNode> selectLevel(int level, Test&& seen) const
+    {
+        std::vector<GroundNode> nodes;
+        if (levels() > 0) selectLevel(levels() - 1, {0, 0}, level, seen, nodes);
+        return nodes;
+    }
+    int coarsestWithin(double metres) const; // the coarsest level that strays no farther from the map
+
 private:
+    template <class Test>
+    void selectLevel(int level, glm::ivec2 node, int wanted, Test& seen, std::vector<GroundNode>& out) const
+    {
+        const GroundNode here = nodeAt(level, node);
+        if (!seen(here)) return;
+        if (level == wanted) return out.push_back(here);
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            const glm::ivec2 child = node * 2 + glm::ivec2{quarter & 1, quarter >> 1};
+            if (glm::all(glm::lessThan(child, m_levels[std::size_t(level) - 1].nodes))) selectLevel(level - 1, child, wanted, seen, out);
+        }
+    }
+    GroundNode nodeAt(int level, glm::ivec2 node) const;
+
     struct Level {
         glm::ivec2 nodes{0};
         std::vector<glm::vec2> lowHigh; // m

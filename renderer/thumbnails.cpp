@@ -8,7 +8,8 @@
 namespace renderer {
 namespace {
 
-constexpr unsigned kAllFeatures = kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap | kFeatureUvTransform;
+constexpr unsigned kAllFeatures = kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap | kFeatureUvTransform |
+                                  kFeatureSmoothColours;
 constexpr float kFov = 28;   // degrees
 constexpr float kYaw = 32;   // degrees, to the right of the model's front
 constexpr float kPitch = -16;

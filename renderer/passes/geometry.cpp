@@ -69,7 +69,7 @@ void GeometryPass::drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Dr
     if (!scenery.terrain.present() || !gpu.use(groundProgram(scenery.terrain.layers()))) return;
     m_framebuffer.bind();
     gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GL_BACK});
-    scenery.terrain.bind(gpu, true);
+    scenery.terrain.bind(gpu);
     scenery.terrain.draw(gpu, ground);
 }
 

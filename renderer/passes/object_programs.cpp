@@ -14,7 +14,7 @@ ObjectPrograms::ObjectPrograms(ShaderLibrary& shaders, std::string fragment, std
 const gl::Program& ObjectPrograms::of(const Batch& batch, bool fading)
 {
     const unsigned features = batch.features & m_relevant;
-    const gl::Program*& program = m_programs[features + (fading ? 64 : 0)];
+    const gl::Program*& program = m_programs[features + (fading ? unsigned(kFeatureEnd) : 0u)];
     if (!program) {
         std::vector<std::string> defines = definesOf(features);
         if (fading) defines.emplace_back("FADE");

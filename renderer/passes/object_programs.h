@@ -21,7 +21,7 @@ private:
     std::string m_fragment;
     std::vector<std::string> m_defines;
     unsigned m_relevant;
-    std::array<const gl::Program*, 128> m_programs{}; // by features, and twice: whole and fading
+    std::array<const gl::Program*, 2 * std::size_t(kFeatureEnd)> m_programs{}; // by features, and twice: whole and fading
 };
 
 // The texture arrays of a batch at their units; an impostor's pictures.

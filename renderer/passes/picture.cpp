@@ -69,7 +69,7 @@ void ShowPass::drawAgain(GpuFrame& gpu, Scenery& scenery, const GeometryPass::Dr
     gl::DrawState own = state;
     own.cull = GL_BACK;
     gl::apply(own);
-    scenery.terrain.bind(gpu, false);
+    scenery.terrain.bind(gpu);
     scenery.terrain.draw(gpu, drawn.ground);
 }
 

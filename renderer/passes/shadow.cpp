@@ -9,14 +9,23 @@ namespace {
 
 constexpr float kErrorTexels = 1.0f; // how far what casts a shadow may stray from its full model
 
-// Whether something came, went or moved whose shadow may fall into a cascade.
-bool touched(const World& world, const Volume& volume)
+constexpr float kGroundErrorTexels = 0.5f; // the same of the ground, which is its own nearest receiver
+constexpr std::int64_t kManyTexels = 4;    // parts that take one in so many of a window's texels are drawn as one
+
+// What a layer lacks of its cascade's window. Few and large parts cost less than many small ones that overlap.
+std::vector<TexelRect> missing(const TexelRect& window, const TexelRect& held, std::span<const TexelRect> stale)
 {
-    return std::ranges::any_of(world.touched(), [&](const glm::dvec4& sphere) {
-        return std::ranges::all_of(volume.planes, [&](const glm::dvec4& plane) {
-            return glm::dot(glm::dvec3{plane}, glm::dvec3{sphere}) + plane.w + sphere.w >= 0;
-        });
-    });
+    std::vector<TexelRect> parts = without(window, held);
+    TexelRect all;
+    for (const TexelRect& rect : stale)
+        all = around(all, common(rect, window));
+    if (!all.empty()) parts.push_back(all);
+    std::int64_t texels = 0;
+    for (const TexelRect& part : parts)
+        texels += (part.high.x - part.low.x) * (part.high.y - part.low.y);
+    const std::int64_t side = window.high.x - window.low.x;
+    if (texels * kManyTexels > 3 * side * side) return {window};
+    return parts;
 }
 
 } // namespace
@@ -41,13 +50,17 @@ void ShadowPass::resize(int resolution, int layers)
                           .size = glm::ivec2{resolution},
                           .layers = layers,
                           .format = GL_DEPTH_COMPONENT32F,
+                          .wrap = GL_REPEAT,
                           .compare = true}};
     m_layers.clear();
     for (int layer = 0; layer < layers; ++layer)
-        m_layers.emplace_back(gl::FramebufferDesc{.label = "shadow cascade", .depth = &m_maps, .depthLayer = layer});
-    m_keys.assign(std::size_t(layers), {});
-    while (m_choosers.size() < std::size_t(layers))
-        m_choosers.push_back(std::make_unique<ViewChooser>(m_shaders));
+        m_layers.push_back({.target = gl::Framebuffer{{.label = "shadow cascade", .depth = &m_maps, .depthLayer = layer}}});
+}
+
+ViewChooser& ShadowPass::nextChooser()
+{
+    if (m_pieces == m_choosers.size()) m_choosers.push_back(std::make_unique<ViewChooser>(m_shaders));
+    return *m_choosers[m_pieces++];
 }
 
 const gl::Texture& ShadowPass::render(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Settings& settings)
@@ -58,61 +71,71 @@ const gl::Texture& ShadowPass::render(GpuFrame& gpu, Scenery& scenery, const Vie
         gpu.bind({{SHADOW_UNIT, &m_lit}});
         return m_lit;
     }
-    resize(capped(scenery.environment.shadows, settings).resolution, int(viewpoint.cascades.size()));
-    for (std::size_t i = 0; i < viewpoint.cascades.size(); ++i) {
-        const Cascade& cascade = viewpoint.cascades[i];
-        const Key key{.snapped = cascade.snapped,
-                      .radius = cascade.radius,
-                      .towardSun = viewpoint.towardSun,
-                      .world = scenery.world.revision(),
-                      .terrain = scenery.terrain.revision(),
-                      .culling = settings.culling,
-                      .lod = settings.lod};
-        if (key == m_keys[i] && !touched(scenery.world, cascade.volume)) continue;
-        renderCascade(gpu, scenery, viewpoint, i, settings);
-        m_keys[i] = key;
-    }
+    resize(viewpoint.cascades.front().resolution, int(viewpoint.cascades.size()));
+    m_pieces = 0;
+    for (std::size_t i = 0; i < viewpoint.cascades.size(); ++i)
+        update(gpu, scenery, viewpoint, viewpoint.cascades[i], m_layers[i], settings);
     scenery.world.forgetTouched();
+    glDisable(GL_SCISSOR_TEST);
     gpu.constants(VIEW_BINDING, viewpoint.view);
     gpu.bind({{SHADOW_UNIT, &m_maps}});
     return m_maps;
 }
 
-void ShadowPass::renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, std::size_t index,
-                               const Settings& settings)
+void ShadowPass::update(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Cascade& cascade, Layer& layer,
+                        const Settings& settings)
 {
-    const Cascade& cascade = viewpoint.cascades[index];
-    glsl::View view = viewpoint.view;
-    view.clipFromRelative = glm::mat4{cascade.clipFromRelative};
-    view.pixelAngle = float(cascade.texel);
-    gpu.constants(VIEW_BINDING, view);
-    m_layers[index].clearDepth(1);
-    m_layers[index].bind();
+    const Key key{.texel = cascade.texel,
+                  .middle = cascade.middle,
+                  .towardSun = viewpoint.towardSun,
+                  .world = scenery.world.revision(),
+                  .terrain = scenery.terrain.revision(),
+                  .culling = settings.culling,
+                  .lod = settings.lod};
+    if (!(key == layer.key)) layer.window = {};
+    std::vector<TexelRect> stale;
+    for (const glm::dvec4& sphere : scenery.world.touched())
+        stale.push_back(shadowOf(cascade, sphere, viewpoint.towardSun));
+    for (const TexelRect& part : missing(cascade.window(), layer.window, stale))
+        for (const CascadePiece& piece : piecesOf(cascade, part, viewpoint.eye.position, viewpoint.towardSun))
+            draw(gpu, scenery, viewpoint, cascade, layer, piece, settings);
+    layer.key = key;
+    layer.window = cascade.window();
+}
 
-    // Slopes are pushed away from the light by part of their own depth range over a texel.
-    gl::DrawState state{.depthTest = GL_LESS, .depthWrite = true, .depthClamp = true, .depthOffset = {1.25f, 2.0f}};
-    const std::optional<Volume> volume = settings.culling ? std::optional{cascade.volume} : std::nullopt;
+void ShadowPass::draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Cascade& cascade, const Layer& layer,
+                      const CascadePiece& piece, const Settings& settings)
+{
+    glsl::View view = viewpoint.view;
+    view.clipFromRelative = glm::mat4{piece.clipFromRelative};
+    view.pixelAngle = float(cascade.texel);
+    const std::optional<Volume> volume = settings.culling ? std::optional{piece.casters} : std::nullopt;
     const CullRequest request{.volume = volume,
                               .towardSun = viewpoint.towardSun,
                               .smallestRadius = float(cascade.texel * 0.5),
                               .errorLength = settings.lod ? float(cascade.texel) * kErrorTexels : 0.0f,
                               .impostors = true,
                               .required = CULL_CASTS_SHADOW};
-    const std::vector<DrawList> lists = m_choosers[index]->choose(gpu, scenery, request, settings, false);
-    m_layers[index].bind();
+    const std::vector<DrawList> lists = nextChooser().choose(gpu, scenery, request, settings, false);
+
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(piece.at.x, piece.at.y, piece.size.x, piece.size.y);
+    layer.target.clearDepth(1);
+    layer.target.bind();
     gpu.constants(VIEW_BINDING, view);
+    // Slopes are pushed away from the light by part of their own depth range over a texel.
+    const gl::DrawState state{.depthTest = GL_LESS, .depthWrite = true, .depthClamp = true, .depthOffset = {1.25f, 2.0f}};
     for (const DrawList& list : lists)
         drawRanges(gpu, m_objects, list, list.opaque, [&](const DrawRange&, const Batch& batch) {
-            const bool masked = batch.features & (kFeatureMask | kFeatureImpostor);
             gl::apply(state);
-            if (masked) bindArrays(gpu, *list.models, batch);
-            return gpu.use(masked ? m_masked.of(batch) : m_solid);
+            if (hasHoles(batch)) bindArrays(gpu, *list.models, batch);
+            return gpu.use(hasHoles(batch) ? m_masked.of(batch) : m_solid);
         });
 
     if (!scenery.terrain.present() || !gpu.use(m_ground)) return;
-    const Terrain::Draw ground = scenery.terrain.draws(gpu.stream(), volume);
+    const Terrain::Draw ground = scenery.terrain.shadowDraws(gpu.stream(), volume, cascade.texel * kGroundErrorTexels);
     gl::apply(state);
-    scenery.terrain.bind(gpu, false);
+    scenery.terrain.bindForShadows(gpu);
     scenery.terrain.draw(gpu, ground);
 }
 

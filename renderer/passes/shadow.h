@@ -1,4 +1,5 @@
-// Shadow maps of the sun: one layer and one draw a cascade, kept while neither light nor world nor box changed.
+// Shadow maps of the sun: one layer a cascade, of which only what is missing is drawn: what came into its window, and where
+// something moved.
 #pragma once
 
 #include "renderer/choosing.h"
@@ -15,27 +16,34 @@ public:
     const gl::Texture& render(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Settings& settings);
 
 private:
-    struct Key { // of what a layer holds
-        glm::dvec3 snapped{0};
-        double radius = 0;
+    struct Key { // of what all of a layer is drawn with
+        double texel = 0, middle = 0;
         glm::dvec3 towardSun{0};
         std::uint64_t world = 0, terrain = 0;
         bool culling = false, lod = false;
         bool operator==(const Key&) const = default;
     };
+    struct Layer {
+        gl::Framebuffer target;
+        Key key;
+        TexelRect window; // that it holds
+    };
     void resize(int resolution, int layers);
-    void renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, std::size_t index,
-                       const Settings& settings);
+    void update(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Cascade& cascade, Layer& layer,
+                const Settings& settings);
+    void draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Cascade& cascade, const Layer& layer,
+              const CascadePiece& piece, const Settings& settings);
+    ViewChooser& nextChooser();
 
     ObjectPrograms m_masked;
     const gl::Program &m_solid, &m_ground;
     gl::VertexArray m_objects;
     gl::Texture m_maps;
     gl::Texture m_lit;
-    std::vector<gl::Framebuffer> m_layers;
-    std::vector<Key> m_keys;
+    std::vector<Layer> m_layers;
     ShaderLibrary& m_shaders;
-    std::vector<std::unique_ptr<ViewChooser>> m_choosers; // by cascade
+    std::vector<std::unique_ptr<ViewChooser>> m_choosers; // by piece of the frame, as each has buffers of its own
+    std::size_t m_pieces = 0;
 };
 
 } // namespace renderer

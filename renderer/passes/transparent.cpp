@@ -7,7 +7,8 @@
 namespace renderer {
 namespace {
 
-constexpr unsigned kAllFeatures = kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap | kFeatureUvTransform;
+constexpr unsigned kAllFeatures = kFeatureMask | kFeatureNormalMap | kFeatureSurfaceMaps | kFeatureWrap | kFeatureUvTransform |
+                                  kFeatureSmoothColours;
 
 struct BlendedRun {
     const DrawList* list = nullptr;

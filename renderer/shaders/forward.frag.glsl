@@ -2,7 +2,6 @@
 #include "fog.glsl"
 #include "lighting.glsl"
 #include "material.glsl"
-#include "shared/instance.h"
 
 layout(location = 11) in vec3 relative;
 layout(location = 0) out vec4 radiance;
@@ -14,20 +13,19 @@ void main()
 {
     MaterialSample m = sampleMaterial(gl_FrontFacing);
 #ifdef MASK
-    if (m.baseColour.a < surface.z) discard;
+    if (m.root.a < alphaCutoff()) discard;
 #endif
-    uint flags = ids.y >> 8;
     Surface s;
-    s.baseColour = m.baseColour.rgb;
+    s.baseColour = m.root.rgb * m.root.rgb;
     s.normal = m.normal;
     s.roughness = m.roughness;
     s.metallic = m.metallic;
     s.occlusion = m.occlusion;
-    s.bits = (flags & MATERIAL_LEAF) != 0u ? SURFACE_LEAF : 0u;
+    s.bits = (materialFlags() & MATERIAL_LEAF) != 0u ? SURFACE_LEAF : 0u;
     vec3 lit = shade(s, -normalize(relative), sunVisibility(relative, s.normal, gl_FragCoord.xy)) + m.emissive;
-    lit = (flags & MATERIAL_UNLIT) != 0u ? s.baseColour / view.exposure : lit;
-    lit = (ids.y & INSTANCE_SELECTED) != 0u ? tintSelected(lit) : lit;
-    float alpha = m.baseColour.a;
+    lit = (materialFlags() & MATERIAL_UNLIT) != 0u ? s.baseColour / view.exposure : lit;
+    lit = isSelected() ? tintSelected(lit) : lit;
+    float alpha = m.root.a;
 #ifdef GHOST
     lit = mix(lit, kViolet * (0.9 / view.exposure), 0.3);
     alpha = 0.6;
@@ -38,6 +36,6 @@ void main()
 #endif
     radiance = vec4(min(lit, vec3(60000.0)), alpha);
 #ifdef WRITE_ID
-    outId = ids.x;
+    outId = objectHere();
 #endif
 }

@@ -13,9 +13,10 @@ float encodeEmission(float factor)
     return factor <= 0.0 ? 0.0 : clamp((log2(factor) + 8.0) / 16.0, 1.0 / 255.0, 1.0);
 }
 
-void writeSurface(vec3 colour, float occlusion, vec3 normal, float roughness, float metallic, uint bits, float emission)
+// `root`: square roots of the base colour.
+void writeSurface(vec3 root, float occlusion, vec3 normal, float roughness, float metallic, uint bits, float emission)
 {
-    outColour = vec4(sqrt(colour), occlusion);
+    outColour = vec4(root, occlusion);
     outNormal = octahedral(normal);
     outSurface = vec4(roughness, metallic, float(bits) / 255.0, encodeEmission(emission));
 }

@@ -17,7 +17,7 @@ vec3 fromDisc(vec2 p)
 }
 
 struct ImpostorTexel {
-    vec3 light;   // base colour
+    vec3 root;    // of the base colour
     float cover;
     vec3 normal;  // of the model
     float depth;  // towards the eye from the centre, of the radius
@@ -31,7 +31,7 @@ struct ImpostorStore {
 ImpostorStore stored(ImpostorTexel t)
 {
     ImpostorStore s;
-    s.colour = vec4(sqrt(t.light) * t.cover, t.cover);
+    s.colour = vec4(t.root * t.cover, t.cover);
     s.surface = vec4(onDisc(t.normal) * t.cover, t.depth, 0.0) * (127.0 / 255.0) + kZero;
     s.surface.w = t.leaf * t.cover;
     return s;
@@ -47,8 +47,7 @@ ImpostorTexel loaded(vec4 colour, vec4 surface)
     float scale = 1.0 / max(colour.a, 1e-3);
     ImpostorTexel t;
     t.cover = colour.a;
-    vec3 root = colour.rgb * scale;
-    t.light = root * root;
+    t.root = colour.rgb * scale;
     t.normal = fromDisc((surface.xy - kZero) * (255.0 / 127.0 * scale));
     t.depth = storedDepth(surface);
     t.leaf = surface.w * scale;

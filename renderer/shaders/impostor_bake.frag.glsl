@@ -10,16 +10,16 @@ void main()
 {
     MaterialSample m = sampleMaterial(gl_FrontFacing);
 #ifdef MASK
-    if (m.baseColour.a < surface.z) discard;
+    if (m.root.a < alphaCutoff()) discard;
 #endif
     vec3 forward = frameDirection(floor(gl_FragCoord.xy / float(2 * IMPOSTOR_FRAME_TEXELS)));
     vec3 right = frameRight(forward);
     ImpostorTexel t;
-    t.light = m.baseColour.rgb;
+    t.root = m.root.rgb;
     t.cover = 1.0;
     t.normal = right * m.normal.x + cross(forward, right) * m.normal.y + forward * m.normal.z;
     t.depth = (gl_FragCoord.z - 0.5) * (2.0 / IMPOSTOR_FILL);
-    t.leaf = ((ids.y >> 8) & MATERIAL_LEAF) != 0u ? 1.0 : 0.0;
+    t.leaf = (materialFlags() & MATERIAL_LEAF) != 0u ? 1.0 : 0.0;
     ImpostorStore s = stored(t);
     outColour = s.colour;
     outSurface = s.surface;

@@ -14,14 +14,14 @@ void main()
     for (int i = 0; i < 4; ++i) {
         ivec2 place = first + ivec2(i & 1, i >> 1);
         ImpostorTexel t = loaded(texelFetch(colours, place, 0), texelFetch(surfaces, place, 0));
-        sum.light += t.light * t.cover;
+        sum.root += t.root * t.root * t.cover; // light is what adds up
         sum.normal += t.normal * t.cover;
         sum.depth += t.depth * t.cover;
         sum.leaf += t.leaf * t.cover;
         sum.cover += t.cover;
     }
     float scale = 1.0 / max(sum.cover, 1e-3);
-    ImpostorStore s = stored(ImpostorTexel(sum.light * scale, sum.cover * 0.25, normalize(sum.normal), sum.depth * scale, sum.leaf * scale));
+    ImpostorStore s = stored(ImpostorTexel(sqrt(sum.root * scale), sum.cover * 0.25, normalize(sum.normal), sum.depth * scale, sum.leaf * scale));
     outColour = s.colour;
     outSurface = s.surface;
 }

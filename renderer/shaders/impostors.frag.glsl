@@ -1,5 +1,5 @@
-// Impostors into the GBuffer, to be lit like what they stand for: three frames around the direction they are seen from,
-// each moved by the depth it shows there.
+// Impostors into the GBuffer, to be lit like what they stand for. Of the three frames around the direction that one is seen
+// from, each pixel shows one, by their weights and a grain that moves along, moved by the depth that it shows there.
 #include "fade.glsl"
 #include "gbuffer_out.glsl"
 #include "impostor.glsl"
@@ -13,55 +13,43 @@ layout(location = 1) in vec2 place2;
 layout(location = 2) flat in vec4 frames01;
 layout(location = 3) flat in vec4 frame2;
 layout(location = 4) flat in vec4 shifts01;
-layout(location = 5) flat in vec2 shift2;
-layout(location = 6) flat in vec3 weights;
-layout(location = 7) flat in vec3 normalX;
-layout(location = 8) flat in vec3 normalY;
-layout(location = 9) flat in vec3 normalZ;
-layout(location = 10) flat in uvec2 ids;
-layout(location = 11) flat in vec4 misc;
+layout(location = 5) flat in vec4 shift2; // and the weights of frames 0 and 1
+layout(location = 6) flat in vec3 normalX;
+layout(location = 7) flat in vec3 normalY;
+layout(location = 8) flat in vec3 normalZ;
+layout(location = 9) flat in uvec4 ids;   // object, flags, roughness of leaves and of the rest (unorm16), a pixel that moves along
 
 const float kEdge = 1.0 / float(IMPOSTOR_FRAME_TEXELS);
-const float kSpread = 0.3; // of the covers that pass: 0 keeps those above a half, 1 keeps the mean and is all grain
-
-vec4 colour = vec4(0.0);
-vec4 surface = vec4(0.0);
-
-void add(vec2 place, vec2 frame, vec2 shift, float weight)
-{
-    place = clamp(place, kEdge, 1.0 - kEdge);
-    int mip = min(int(frame2.w) + 2, IMPOSTOR_MIPS - 1); // depth around, also where nothing is
-    vec2 texels = vec2((IMPOSTOR_FRAME_TEXELS * IMPOSTOR_FRAMES) >> mip);
-    vec4 there = texelFetch(surfaces, ivec3((frame + place) * (texels / float(IMPOSTOR_FRAMES)), frame2.z), mip);
-    place = clamp(place + shift * storedDepth(there), kEdge, 1.0 - kEdge);
-    vec3 at = vec3((frame + place) / float(IMPOSTOR_FRAMES), frame2.z);
-    colour += textureLod(colours, at, frame2.w) * weight;
-    surface += textureLod(surfaces, at, frame2.w) * weight;
-}
-
-// Grain that moves along with what it is on.
-float grain(vec2 pixel)
-{
-    uvec2 p = uvec2(ivec2(pixel) - ivec2(misc.zw));
-    uint h = p.x * 0x9e3779b1u ^ p.y * 0x85ebca77u;
-    h = (h ^ (h >> 15)) * 0x2c1b3c6du;
-    return float(h >> 8 & 0xffffu) / 65536.0;
-}
+const float kCover = 0.4; // from which a texel counts; a little under a half, as one picture alone is as thin as it was taken
+const float kSpread = 0.3; // of the covers that pass: 0 keeps those above it, 1 keeps the mean and is all grain
 
 void main()
 {
 #ifdef FADE
     if (fadedAway(gl_FragCoord.xy)) discard;
 #endif
-    add(places01.xy, frames01.xy, shifts01.xy, weights.x);
-    add(places01.zw, frames01.zw, shifts01.zw, weights.y);
-    add(place2, frame2.xy, shift2, weights.z);
-    if (colour.a < 0.5 + (grain(gl_FragCoord.xy) - 0.5) * kSpread) discard;
+    uvec2 p = uvec2(ivec2(gl_FragCoord.xy) - ivec2(ids.w & 0xffffu, ids.w >> 16));
+    uint h = p.x * 0x9e3779b1u ^ p.y * 0x85ebca77u;
+    h = (h ^ (h >> 15)) * 0x2c1b3c6du;
+    float which = float(h >> 22) / 1024.0, grain = float(h >> 8 & 0x3fffu) / 16384.0;
 
-    ImpostorTexel t = loaded(colour, surface);
+    bool first = which < shift2.z;
+    bool second = which < shift2.z + shift2.w;
+    vec2 frame = first ? frames01.xy : second ? frames01.zw : frame2.xy;
+    vec2 shift = first ? shifts01.xy : second ? shifts01.zw : shift2.xy;
+    vec2 place = clamp(first ? places01.xy : second ? places01.zw : place2, kEdge, 1.0 - kEdge);
+    int mip = min(int(frame2.w) + 2, IMPOSTOR_MIPS - 1); // depth around, also where nothing is
+    vec4 there = texelFetch(surfaces, ivec3((frame + place) * float(IMPOSTOR_FRAME_TEXELS >> mip), frame2.z), mip);
+    place = clamp(place + shift * storedDepth(there), kEdge, 1.0 - kEdge);
+    vec3 at = vec3((frame + place) / float(IMPOSTOR_FRAMES), frame2.z);
+    vec4 colour = textureLod(colours, at, frame2.w);
+    if (colour.a < kCover + (grain - 0.5) * kSpread) discard;
+
+    ImpostorTexel t = loaded(colour, textureLod(surfaces, at, frame2.w));
     vec3 normal = normalize(normalX * t.normal.x + normalY * t.normal.y + normalZ * t.normal.z);
     uint bits = (ids.y & INSTANCE_SELECTED) != 0u ? SURFACE_SELECTED : 0u;
     bits |= t.leaf > 0.5 ? SURFACE_LEAF : 0u;
-    writeSurface(t.light, 1.0, normal, mix(misc.y, misc.x, t.leaf), 0.0, bits, 0.0);
+    vec2 roughness = unpackUnorm2x16(ids.z);
+    writeSurface(t.root, 1.0, normal, mix(roughness.y, roughness.x, t.leaf), 0.0, bits, 0.0);
     outId = ids.x;
 }

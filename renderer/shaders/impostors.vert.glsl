@@ -23,13 +23,11 @@ layout(location = 1) out vec2 place2;
 layout(location = 2) flat out vec4 frames01; // where they begin
 layout(location = 3) flat out vec4 frame2;   // and layer, mip
 layout(location = 4) flat out vec4 shifts01; // of places, for each radius of depth
-layout(location = 5) flat out vec2 shift2;
-layout(location = 6) flat out vec3 weights;
-layout(location = 7) flat out vec3 normalX;  // images of the normal's axes
-layout(location = 8) flat out vec3 normalY;
-layout(location = 9) flat out vec3 normalZ;
-layout(location = 10) flat out uvec2 ids;    // object, flags
-layout(location = 11) flat out vec4 misc;    // roughness of leaves and of the rest, a pixel that moves along
+layout(location = 5) flat out vec4 shift2;   // and the weights of frames 0 and 1
+layout(location = 6) flat out vec3 normalX;  // images of the normal's axes
+layout(location = 7) flat out vec3 normalY;
+layout(location = 8) flat out vec3 normalZ;
+layout(location = 9) flat out uvec4 ids;     // object, flags, roughness of leaves and of the rest (unorm16), a pixel that moves along
 #endif
 
 const float kSteepest = 0.7; // tangent of the angle from below beyond which it is seen as from there
@@ -77,7 +75,7 @@ void main()
     vec2 part = grid - cell;
     vec2 third = part.x > part.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
     vec2 frames[3] = vec2[3](cell, cell + third, cell + 1.0);
-    weights = vec3(1.0 - max(part.x, part.y), abs(part.x - part.y), min(part.x, part.y));
+    vec2 weights = vec2(1.0 - max(part.x, part.y), abs(part.x - part.y));
 
     vec2 places[3];
     vec2 shifts[3];
@@ -93,7 +91,7 @@ void main()
     place2 = places[2];
     frames01 = vec4(frames[0], frames[1]);
     shifts01 = vec4(shifts[0], shifts[1]);
-    shift2 = shifts[2];
+    shift2 = vec4(shifts[2], weights);
     float texels = 0.5 * IMPOSTOR_FILL * float(IMPOSTOR_FRAME_TEXELS) * distance_ * view.pixelAngle; // a pixel
     frame2 = vec4(frames[2], inPlace.y, clamp(floor(log2(texels) + 0.5), 0.0, float(IMPOSTOR_MIPS - 1)));
 
@@ -104,8 +102,8 @@ void main()
     normalX *= mirror;
     normalY *= mirror;
     normalZ *= mirror;
-    ids = uvec2(instanceObject(), instanceFlags());
     vec4 centre = view.clipFromRelative * vec4(origin + model * inCentre, 1.0);
-    misc = vec4(inRoughness, floor((centre.xy / centre.w * 0.5 + 0.5) * vec2(view.size)));
+    ivec2 pixel = ivec2(floor((centre.xy / centre.w * 0.5 + 0.5) * vec2(view.size)));
+    ids = uvec4(instanceObject(), instanceFlags(), packUnorm2x16(inRoughness), uint(pixel.x & 0xffff) | uint(pixel.y) << 16);
 #endif
 }

@@ -1,13 +1,19 @@
 // A placed object's surface at a pixel, from its material and its textures. For fragments of objects.vert.glsl.
 #include "shared/bindings.h"
+#include "shared/instance.h"
 #include "shared/material.h"
 
 layout(binding = BASE_COLOUR_UNIT) uniform sampler2DArray baseColours;
 layout(location = 0) in vec2 uvBase;
 layout(location = 1) in vec3 normal;
-layout(location = 2) in vec4 colour;
-layout(location = 3) flat in uvec4 ids;
-layout(location = 4) flat in vec4 surface;
+#ifdef SMOOTH_COLOURS
+layout(location = 2) in vec4 rootColour; // square roots of the base colour's factors; alpha as it is
+#endif
+// Whole words, as software GL pays for each number that a triangle hands on: object; flags of instance and material;
+// layers of colour and normals (16 bits each); roughness and metallic (unorm16)
+layout(location = 3) flat in uvec4 words0;
+// cutoff and normal scale (unorm16); root colour; layers of surface and occlusion
+layout(location = 4) flat in uvec4 words1;
 #ifdef NORMAL_MAP
 layout(binding = NORMAL_UNIT) uniform sampler2DArray normalMaps;
 layout(location = 5) in vec4 tangent;
@@ -26,8 +32,28 @@ layout(location = 10) flat in uint emissiveLayer;
 layout(location = 12) flat in uint wrapModes;
 #endif
 
+uint objectHere()
+{
+    return words0.x;
+}
+
+bool isSelected()
+{
+    return (words0.y & INSTANCE_SELECTED) != 0u;
+}
+
+uint materialFlags()
+{
+    return words0.y >> 8;
+}
+
+float alphaCutoff()
+{
+    return unpackUnorm2x16(words1.x).x;
+}
+
 struct MaterialSample {
-    vec4 baseColour;
+    vec4 root; // square roots of the base colour; alpha as it is
     vec3 normal;
     float roughness;
     float metallic;
@@ -62,28 +88,33 @@ vec4 fetch(sampler2DArray maps, vec2 uv, uint layer, int slot)
 MaterialSample sampleMaterial(bool front)
 {
     MaterialSample m;
-    vec4 base = fetch(baseColours, uvBase, ids.z & 0xffffu, BASE_COLOUR_UNIT);
-    m.baseColour = colour * vec4(base.rgb * base.rgb, base.a);
-    uint flags = ids.y >> 8;
+#ifdef SMOOTH_COLOURS
+    vec4 factor = rootColour;
+#else
+    vec4 factor = vec4(unpackUnorm2x16(words1.y), unpackUnorm2x16(words1.z));
+#endif
+    m.root = factor * fetch(baseColours, uvBase, words0.z & 0xffffu, BASE_COLOUR_UNIT);
     vec3 n = normalize(normal);
 #ifdef NORMAL_MAP
-    vec3 detail = fetch(normalMaps, uvNormal, ids.z >> 16, NORMAL_UNIT).xyz * 2.0 - 1.0;
-    detail = (ids.z >> 16) == 0xffffu ? vec3(0.0, 0.0, 1.0) : detail;
+    vec3 detail = fetch(normalMaps, uvNormal, words0.z >> 16, NORMAL_UNIT).xyz * 2.0 - 1.0;
+    detail = (words0.z >> 16) == 0xffffu ? vec3(0.0, 0.0, 1.0) : detail;
+    float scale = unpackUnorm2x16(words1.x).y * MATERIAL_MOST_SCALE;
     vec3 t = tangent.xyz - n * dot(n, tangent.xyz);
     t *= inversesqrt(max(dot(t, t), 1e-20));
     vec3 b = cross(n, t) * tangent.w;
-    n = normalize(t * (detail.x * surface.w) + b * (detail.y * surface.w) + n * detail.z);
+    n = normalize(t * (detail.x * scale) + b * (detail.y * scale) + n * detail.z);
 #endif
-    m.normal = front || (flags & MATERIAL_KEEP_NORMAL) != 0u ? n : -n;
-    m.roughness = surface.x;
-    m.metallic = surface.y;
+    m.normal = front || (materialFlags() & MATERIAL_KEEP_NORMAL) != 0u ? n : -n;
+    vec2 rough = unpackUnorm2x16(words0.w);
+    m.roughness = rough.x;
+    m.metallic = rough.y;
     m.occlusion = 1.0;
     m.emissive = vec3(0.0);
 #ifdef SURFACE_MAPS
-    vec4 roughMetal = fetch(surfaceMaps, uvSurfaceOcclusion.xy, ids.w & 0xffffu, SURFACE_UNIT);
+    vec4 roughMetal = fetch(surfaceMaps, uvSurfaceOcclusion.xy, words1.w & 0xffffu, SURFACE_UNIT);
     m.roughness *= roughMetal.g;
     m.metallic *= roughMetal.b;
-    float occlusion = fetch(occlusionMaps, uvSurfaceOcclusion.zw, ids.w >> 16, OCCLUSION_UNIT).r;
+    float occlusion = fetch(occlusionMaps, uvSurfaceOcclusion.zw, words1.w >> 16, OCCLUSION_UNIT).r;
     m.occlusion = 1.0 + (occlusion - 1.0) * emissive.w;
     vec3 glow = fetch(emissiveMaps, uvEmissive, emissiveLayer, EMISSIVE_UNIT).rgb;
     m.emissive = emissive.rgb * glow * glow;

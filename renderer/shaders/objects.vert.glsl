@@ -17,9 +17,11 @@ invariant gl_Position; // passes that draw the same surface again compare depths
 layout(location = 0) out vec2 uvBase;
 #ifndef SHADOW
 layout(location = 1) out vec3 normal;
-layout(location = 2) out vec4 colour;
-layout(location = 3) flat out uvec4 ids;     // object, flags of instance and material, layers (16 bits each) 0-1, 2-3
-layout(location = 4) flat out vec4 surface;  // roughness, metallic, alpha cutoff, normal scale
+#ifdef SMOOTH_COLOURS
+layout(location = 2) out vec4 rootColour;
+#endif
+layout(location = 3) flat out uvec4 words0;  // as material.glsl reads them
+layout(location = 4) flat out uvec4 words1;
 #ifdef NORMAL_MAP
 layout(location = 5) out vec4 tangent;
 layout(location = 6) out vec2 uvNormal;
@@ -73,15 +75,17 @@ void main()
 #endif
 #ifdef SHADOW
     uint layer = material.layers & 0xffffu;
-    cutout = vec3(layer == 0xffffu ? -1.0 : float(layer), material.cutoff, material.baseColour.a * inColour.a);
+    cutout = vec3(layer == 0xffffu ? -1.0 : float(layer), unpackUnorm2x16(material.cut).x, material.baseColour.a * inColour.a);
 #else
     // Cofactors turn normals rightly under any scale; a mirror image turns them once more.
     vec3 n = fromOctahedral(inNormal);
     vec3 cofactorX = cross(inAxisY, inAxisZ);
     float mirror = sign(dot(inAxisX, cofactorX));
     normal = (cofactorX * n.x + cross(inAxisZ, inAxisX) * n.y + cross(inAxisX, inAxisY) * n.z) * mirror;
-    colour = material.baseColour * inColour;
-    surface = vec4(material.roughness, material.metallic, material.cutoff, material.normalScale);
+    vec4 root = vec4(sqrt(material.baseColour.rgb * inColour.rgb), material.baseColour.a * inColour.a);
+#ifdef SMOOTH_COLOURS
+    rootColour = root;
+#endif
     uint otherLayers = 0u;
 #ifdef NORMAL_MAP
     int bits = int(inTangent);
@@ -101,7 +105,8 @@ void main()
     emissiveLayer = uint(emissiveUse.layer) & 0xffffu;
     otherLayers = (uint(surfaceUse.layer) & 0xffffu) | uint(occlusionUse.layer) << 16;
 #endif
-    ids = uvec4(instanceObject(), instanceFlags() | material.flags << 8, material.layers, otherLayers);
+    words0 = uvec4(instanceObject(), instanceFlags() | material.flags << 8, material.layers, material.rough);
+    words1 = uvec4(material.cut, packUnorm2x16(root.xy), packUnorm2x16(root.zw), otherLayers);
 #ifdef FORWARD
     relative = place;
 #endif

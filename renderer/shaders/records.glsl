@@ -50,7 +50,7 @@ struct QuickMaterial {
     vec4 baseColour;
     uint layers; // of colour, and of normals in the upper half; 0xffff: none
     uint flags;
-    float roughness, metallic, cutoff, normalScale;
+    uint rough, cut; // roughness, metallic; cutoff, normal scale: unorm16
 };
 
 QuickMaterial quickMaterial(uint material)
@@ -61,12 +61,8 @@ QuickMaterial quickMaterial(uint material)
     m.baseColour = vec4(unpackUnorm2x16(a.x), unpackUnorm2x16(a.y));
     m.layers = a.z;
     m.flags = a.w;
-    vec2 rough = unpackUnorm2x16(b.x);
-    vec2 cut = unpackUnorm2x16(b.y);
-    m.roughness = rough.x;
-    m.metallic = rough.y;
-    m.cutoff = cut.x;
-    m.normalScale = cut.y * MATERIAL_MOST_SCALE;
+    m.rough = b.x;
+    m.cut = b.y;
     return m;
 }
 

@@ -137,6 +137,6 @@ void main()
     vec3 colour = mix(a.colour, b.colour, share);
     float patches = 0.82 + 0.36 * mix(far.b, near.b, 0.35); // large, faint patches, as ground has
     vec3 normal = normalize(n + mix(a.bend, b.bend, share) * 0.9);
-    writeSurface(colour * patches, 1.0, normal, mix(a.roughness, b.roughness, share), 0.0, SURFACE_GROUND, 0.0);
+    writeSurface(sqrt(colour * patches), 1.0, normal, mix(a.roughness, b.roughness, share), 0.0, SURFACE_GROUND, 0.0);
     outId = 0xffffffffu;
 }

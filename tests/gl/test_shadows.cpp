@@ -2,6 +2,7 @@
 #include "renderer/cascades.h"
 #include "tests/gl/support/shared_renderer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -106,8 +107,8 @@ TEST(Cascades, TexelsStandStillInTheWorld)
         const auto cascades = renderer::cascadesOf(eye, shadows, sun);
         ASSERT_EQ(cascades.size(), 4u);
         for (std::size_t c = 0; c < 4; ++c) {
-            const glm::dvec4 origin = cascades[c].clipFromRelative * glm::dvec4{-eye.position, 1};
-            const glm::dvec2 texels = glm::dvec2{origin} * (shadows.resolution / 2.0);
+            const glm::dvec4 origin = cascades[c].textureFromRelative * glm::dvec4{-eye.position, 1};
+            const glm::dvec2 texels = glm::dvec2{origin} * double(shadows.resolution);
             EXPECT_NEAR(texels.x, std::round(texels.x), 1e-3);
             EXPECT_NEAR(texels.y, std::round(texels.y), 1e-3);
             if (radii.size() < 4) radii.push_back(cascades[c].radius);
@@ -126,11 +127,116 @@ TEST(Cascades, CoverTheirSlices)
             const glm::dvec3 relative = (eye.forward + eye.right * (eye.tanHalfFov * eye.aspect * (corner & 1 ? 1 : -1)) +
                                          eye.up * (eye.tanHalfFov * (corner & 2 ? 1 : -1))) * depth;
             const glm::dvec3 place{cascade.textureFromRelative * glm::dvec4{relative, 1}};
-            for (int axis = 0; axis < 3; ++axis) {
-                EXPECT_GE(place[axis], 0);
-                EXPECT_LE(place[axis], 1);
+            const renderer::Texel low = cascade.low % std::int64_t(cascade.resolution);
+            for (int axis = 0; axis < 2; ++axis) {
+                const double begin = double(low[axis] < 0 ? low[axis] + cascade.resolution : low[axis]) / cascade.resolution;
+                EXPECT_GE(place[axis], begin);
+                EXPECT_LE(place[axis], begin + 1);
             }
+            EXPECT_GE(place.z, 0);
+            EXPECT_LE(place.z, 1);
         }
+}
+
+TEST(TexelRect, whatIsLeftCoversAllOnce)
+{
+    std::mt19937 random{7};
+    std::uniform_int_distribution<int> at{-9, 9}, extent{0, 12};
+    const auto rect = [&] {
+        const renderer::Texel low{at(random), at(random)};
+        return renderer::TexelRect{low, low + renderer::Texel{extent(random), extent(random)}};
+    };
+    const auto holds = [](const renderer::TexelRect& r, int x, int y) {
+        return x >= r.low.x && x < r.high.x && y >= r.low.y && y < r.high.y;
+    };
+    for (int i = 0; i < 500; ++i) {
+        const renderer::TexelRect whole = rect(), hole = rect();
+        const auto rest = renderer::without(whole, hole);
+        const auto cut = renderer::cutAtMultiples(whole, 5);
+        for (int y = -10; y < 24; ++y)
+            for (int x = -10; x < 24; ++x) {
+                const auto count = [&](const auto& parts) {
+                    return std::ranges::count_if(parts, [&](const auto& part) { return holds(part, x, y); });
+                };
+                ASSERT_EQ(count(rest), holds(whole, x, y) && !holds(hole, x, y));
+                ASSERT_EQ(count(cut), holds(whole, x, y));
+            }
+        for (const renderer::TexelRect& piece : cut) // inside of one copy of the texture
+            for (int axis = 0; axis < 2; ++axis)
+                ASSERT_EQ((piece.low[axis] + 100) / 5, (piece.high[axis] + 99) / 5);
+    }
+}
+
+// Hills with towers on them.
+test::TestWorld townOnHills()
+{
+    test::TestWorld world;
+    world.scene.exchange(io::Terrain{.heightMap = "terrain/hills.png"});
+    world.assets.heights = test::heightMap({257, 257}, 4, [](double x, double z) { return 12 * std::sin(x * 0.02) * std::cos(z * 0.017); });
+    const io::TemplateId id = test::addTemplate(world, "tower", test::box({4, 20, 4}, {0.6f, 0.6f, 0.6f, 1}));
+    std::mt19937 random{5};
+    std::uniform_real_distribution<double> place{-200, 200};
+    for (int i = 0; i < 200; ++i)
+        test::addObject(world, id, {.position = {place(random), 0, place(random)}});
+    world.scene.exchange(test::plainEnvironment(150, 35));
+    return world;
+}
+
+io::Image shadowsAt(const io::Camera& camera, bool anew)
+{
+    renderer::FrameInput in = test::frame(kSize, camera);
+    in.show = renderer::Show::Shadow;
+    if (anew) { // whatever is drawn without levels of detail is not kept
+        in.settings.lod = false;
+        test::shared().render(in);
+        in.settings.lod = true;
+    }
+    test::shared().render(in);
+    return test::shared().readPicture();
+}
+
+// Of pixels. Places are counted from the eye in floats, so that an edge may fall on the other side of a texel's middle.
+double differingShare(const io::Image& a, const io::Image& b)
+{
+    int differing = 0;
+    for (int i = 0; i < kSize.x * kSize.y; ++i)
+        differing += std::abs(int(a.row<glm::u8vec4>(0)[i].x) - int(b.row<glm::u8vec4>(0)[i].x)) > 12;
+    return double(differing) / (kSize.x * kSize.y);
+}
+
+TEST(Shadows, WhatIsKeptIsAsIfDrawnAnew)
+{
+    test::TestWorld world = townOnHills();
+    test::load(world);
+    std::mt19937 random{11};
+    std::uniform_real_distribution<double> step{-9, 14};
+    io::Camera camera{.eye = {-60, 30, 80}, .yaw = 20, .pitch = -20};
+    for (int i = 0; i < 12; ++i) {
+        camera.eye += glm::dvec3{step(random), step(random) * 0.2, step(random)};
+        camera.yaw += float(step(random));
+        const io::Image kept = shadowsAt(camera, false);
+        if (i % 3 != 2) continue;
+        EXPECT_LT(differingShare(kept, shadowsAt(camera, true)), 5e-4) << i;
+    }
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
+TEST(Shadows, WhatMovesTakesItsShadowAlong)
+{
+    test::TestWorld world = townOnHills();
+    test::load(world);
+    const io::Camera camera{.eye = {-60, 40, 80}, .yaw = 20, .pitch = -20};
+    const io::Image before = shadowsAt(camera, false);
+    io::Object moved = world.scene.objects()[7];
+    moved.transform.position = {-70, 0, 40};
+    const io::ObjectId id = moved.id;
+    world.scene.exchange(id, moved);
+    io::Changes changes;
+    changes.objects.push_back(id);
+    test::shared().update(world.scene, world.assets, changes);
+    const io::Image after = shadowsAt(camera, false);
+    EXPECT_GT(differingShare(before, after), 2e-3);
+    EXPECT_LT(differingShare(after, shadowsAt(camera, true)), 5e-4);
 }
 
 TEST(Cascades, EverySettingCounts)
