@@ -48,6 +48,7 @@ std::vector<Row> rowsOf(const FrameHistory& frames, const renderer::FrameStats& 
                           {tr("statistics.gpu_memory"), byteText(stats.gpuBytes)}};
     if (std::string levels = levelsText(stats); !levels.empty()) // as long as a line, so below its name
         rows.insert(rows.begin() + 6, {{tr("statistics.levels"), ""}, {"", std::move(levels)}});
+    if (stats.cullingFrozen) rows.insert(rows.begin() + 1, {tr("statistics.culling"), tr("statistics.frozen")});
     return rows;
 }
 

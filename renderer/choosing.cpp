@@ -33,7 +33,7 @@ bool culledOnGpu(const Settings& settings)
 }
 
 std::vector<DrawList> ViewChooser::choose(GpuFrame& gpu, Scenery& scenery, const CullRequest& request,
-                                          const Settings& settings, bool occlusion)
+                                          const Settings& settings, Occlusion occlusion)
 {
     std::vector<DrawList> lists;
     const bool blended = !request.towardSun; // glass casts no shadow
@@ -43,17 +43,26 @@ std::vector<DrawList> ViewChooser::choose(GpuFrame& gpu, Scenery& scenery, const
         m_counts = {.drawn = visible(lists)};
         return lists;
     }
-    const ModelLibrary& models = scenery.world.sharedModels();
-    scenery.cullTable.update(models);
-    const CullRequest opaque = without(request, CULL_BLENDS);
-    lists.push_back(occlusion ? m_view.early(gpu, scenery.cullTable, scenery.world.gpuScene(), opaque)
-                              : m_view.all(gpu, scenery.cullTable, scenery.world.gpuScene(), opaque));
-    lists.back().models = &models;
+    lists.push_back(opaqueOnGpu(gpu, scenery, without(request, CULL_BLENDS), occlusion));
     m_counts = m_view.counts();
-    if (models.blends()) scenery.world.batchedDraws(gpu.stream(), only(request, CULL_BLENDS), blended, lists);
+    if (scenery.world.sharedModels().blends())
+        scenery.world.batchedDraws(gpu.stream(), only(request, CULL_BLENDS), blended, lists);
     scenery.world.directDraws(gpu.stream(), request, blended, lists);
     m_counts.drawn += visible(lists); // the first list's are the GPU's to count
     return lists;
+}
+
+DrawList ViewChooser::opaqueOnGpu(GpuFrame& gpu, Scenery& scenery, const CullRequest& request, Occlusion occlusion)
+{
+    const ModelLibrary& models = scenery.world.sharedModels();
+    scenery.cullTable.update(models);
+    const GpuCullScene scene = scenery.world.gpuScene();
+    DrawList list;
+    if (occlusion == Occlusion::SeenBefore) list = m_view.early(gpu, scenery.cullTable, scene, request);
+    else if (occlusion == Occlusion::Kept) list = m_view.kept(gpu, scenery.cullTable, scene, request);
+    else list = m_view.all(gpu, scenery.cullTable, scene, request);
+    list.models = &models;
+    return list;
 }
 
 DrawList ViewChooser::chooseRest(GpuFrame& gpu, Scenery& scenery, const CullRequest& request, const gl::Texture& pyramid)

@@ -21,6 +21,7 @@ struct CullRequest {
     float errorAngle = 0;                // error / distance that a level of detail may have; 0: full models
     float errorLength = 0;               // m, the same for parallel light
     bool impostors = false;              // they will do
+    std::optional<glm::dvec3> sortedFor; // what blends; none: for the eye
     std::uint32_t required = 0;          // flags
     std::uint32_t refused = 0;
 };

@@ -116,6 +116,7 @@ CulledView::CulledView(ShaderLibrary& shaders)
     : m_all{shaders.program({.label = "cull", .stages = {"cull.comp.glsl"}, .defines = {"DECIDE"}})},
       m_early{shaders.program({.label = "cull early", .stages = {"cull.comp.glsl"}, .defines = {"DECIDE", "EARLY"}})},
       m_late{shaders.program({.label = "cull late", .stages = {"cull.comp.glsl"}, .defines = {"DECIDE", "LATE"}})},
+      m_kept{shaders.program({.label = "cull kept", .stages = {"cull.comp.glsl"}, .defines = {"DECIDE", "KEPT"}})},
       m_copy{shaders.program({.label = "cull copies", .stages = {"cull.comp.glsl"}})},
       m_commands{shaders.program({.label = "cull commands", .stages = {"cull_commands.comp.glsl"}})},
       m_countsBuffer{"culling counts", sizeof(glsl::CullCounts)}, m_room{kFirstRoom}, m_reads{std::make_unique<Reads>()}
@@ -186,6 +187,12 @@ DrawList CulledView::late(GpuFrame& gpu, const CullTable& table, const GpuCullSc
 {
     gpu.bind({{IMAGE_UNIT, &pyramid}});
     return run(gpu, m_late, m_passes[1], table, scene, request);
+}
+
+DrawList CulledView::kept(GpuFrame& gpu, const CullTable& table, const GpuCullScene& scene, const CullRequest& request)
+{
+    readCounts();
+    return run(gpu, m_kept, m_passes[0], table, scene, request);
 }
 
 // Sends off the counts of the frame before, and takes those that have come.

@@ -135,7 +135,7 @@ DrawList InstanceSet::draws(GpuStream& stream, const View& view) const
                                  .direct = view.direct,
                                  .recordBuffer = view.direct && m_onGpu ? m_recordBuffer.id() : 0,
                                  .records = m_cullRecords,
-                                 .eye = view.request.eye,
+                                 .eye = view.request.sortedFor.value_or(view.request.eye),
                                  .towardSun = view.request.towardSun});
 }
 

@@ -44,6 +44,8 @@ struct FrameInput {
     std::span<const Ghost> ghosts;
     std::span<const Line> lines;
     bool markers = true;        // draw the boxes of templates without a model
+    // What the first frame with this culled stays culled while the camera flies on; its view is drawn as lines.
+    bool freezeCulling = false;
 };
 
 struct PassTime {
@@ -61,6 +63,7 @@ struct FrameStats {
     std::uint64_t instancesDrawn = 0;      // in the camera's view; where the GPU culls, of a frame a little earlier
     std::uint64_t instancesInside = 0;     // in the camera's view, however small or hidden; 0: not counted
     std::uint64_t instancesHidden = 0;     // behind other things
+    bool cullingFrozen = false;
     std::array<std::uint64_t, 8> trianglesOfLevel{}; // of objects by level of detail, where the CPU culls
     std::uint64_t gpuBytes = 0;            // buffers and textures of ours
 };

@@ -98,7 +98,7 @@ void ShadowPass::renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint&
                               .errorLength = settings.lod ? float(cascade.texel) * kErrorTexels : 0.0f,
                               .impostors = true,
                               .required = CULL_CASTS_SHADOW};
-    const std::vector<DrawList> lists = m_choosers[index]->choose(gpu, scenery, request, settings, false);
+    const std::vector<DrawList> lists = m_choosers[index]->choose(gpu, scenery, request, settings, Occlusion::Off);
     m_layers[index].bind();
     gpu.constants(VIEW_BINDING, view);
     for (const DrawList& list : lists)
