@@ -233,6 +233,15 @@ void viewActions(Actions& a, Editor& e)
            .run = [&e] { e.viewport().freezeCulling = !e.viewport().freezeCulling; },
            .enabled = open,
            .checked = [&e] { return e.viewport().freezeCulling; }});
+    a.add({.id = "tree_nodes",
+           .keys = {.key = Key::F6},
+           .run =
+               [&e] {
+                   const bool shown = e.show == renderer::Show::Nodes;
+                   e.show = shown ? renderer::Show::Final : renderer::Show::Nodes;
+               },
+           .enabled = open,
+           .checked = [&e] { return e.show == renderer::Show::Nodes; }});
     a.add({.id = "animate",
            .run = [&e] { e.setAnimates(!e.animates()); },
            .checked = [&e] { return e.animates(); }});

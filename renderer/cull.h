@@ -35,10 +35,12 @@ struct Seen {
     std::uint32_t slot() const { return drawn & DRAWN_SLOT_MASK; }
 };
 
+using InstanceTree = io::SceneTree<std::uint32_t>; // of rows or slots
+
 struct CullScene {
     std::span<const glsl::CullRecord> records; // by slot
     std::span<const glsl::CullModel> models;
-    const io::SceneTree<std::uint32_t>* tree = nullptr; // of slots; where there is one, cost follows what is inside
+    const InstanceTree* tree = nullptr; // where there is one, cost follows what is inside
 };
 
 // One that fades is there twice.

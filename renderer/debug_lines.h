@@ -2,8 +2,10 @@
 #pragma once
 
 #include "io/scene/bounds.h"
-#include "renderer/eye.h"
+#include "renderer/cull.h"
 
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace renderer {
@@ -12,5 +14,10 @@ void addBox(std::vector<Line>& lines, const io::WorldBox& box, const glm::vec4& 
 
 // The edges of the eye's view, as far as `world` goes, with a frame at each power of ten metres. Faint where they are hidden.
 void addFrustum(std::vector<Line>& lines, const Eye& eye, const io::WorldBox& world);
+
+// Boxes of the trees' nodes that the eye sees and that look largest from there, coloured by depth, leaves strongly; a ring runs
+// around those that split in height. Faint where `culledTo`, if there is one, does not reach.
+void addNodes(std::vector<Line>& lines, std::span<const InstanceTree* const> trees, const Eye& eye,
+              const std::optional<Volume>& culledTo);
 
 } // namespace renderer

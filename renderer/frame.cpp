@@ -126,6 +126,10 @@ std::vector<Line> Renderer::State::linesOf(const FrameInput& in, const Viewpoint
         bounds.add(scenery.terrain.bounds());
         addFrustum(lines, viewpoint.culledFor, bounds);
     }
+    if (in.show == Show::Nodes) {
+        const std::vector<const InstanceTree*> trees = scenery.world.trees();
+        addNodes(lines, trees, viewpoint.eye, viewpoint.frozen ? std::optional{volumeOf(viewpoint.culledFor)} : std::nullopt);
+    }
     return lines;
 }
 

@@ -186,6 +186,14 @@ void PlacedModels::draws(GpuStream& stream, const CullRequest& request, bool ble
     }
 }
 
+std::vector<const InstanceTree*> PlacedModels::trees() const
+{
+    std::vector<const InstanceTree*> trees;
+    for (const auto& set : m_sets)
+        if (set) trees.push_back(&set->instances.tree());
+    return trees;
+}
+
 std::size_t PlacedModels::instances() const
 {
     std::size_t count = 0;

@@ -199,6 +199,14 @@ void World::directDraws(GpuStream& stream, const CullRequest& request, bool blen
     m_direct.draws(stream, request, blended, m_direct.blends(), lists);
 }
 
+std::vector<const InstanceTree*> World::trees() const
+{
+    std::vector<const InstanceTree*> trees = m_batched.trees();
+    const std::vector<const InstanceTree*> direct = m_direct.trees();
+    trees.insert(trees.end(), direct.begin(), direct.end());
+    return trees;
+}
+
 io::WorldBox World::boundsOf(std::span<const io::ObjectId> ids) const
 {
     io::WorldBox box;

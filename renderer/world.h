@@ -29,6 +29,7 @@ public:
     void batchedDraws(GpuStream& stream, const CullRequest& request, bool blended, std::vector<DrawList>& lists) const;
     void directDraws(GpuStream& stream, const CullRequest& request, bool blended, std::vector<DrawList>& lists) const;
 
+    std::vector<const InstanceTree*> trees() const; // that hold everything
     GpuCullScene gpuScene() const { return m_batched.gpuScene(); }
 
     const ModelLibrary& sharedModels() const { return m_batched.shared(); }
