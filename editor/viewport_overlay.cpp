@@ -203,7 +203,7 @@ void Viewport::drawStatistics(Editor& editor) const
     const renderer::FrameStats none;
     const int pills = showOverlays ? int(editor.show != renderer::Show::Final) + int(freezeCulling) : 0;
     const float top = pills == 0 ? 10.f : 14.f + 32.f * float(pills);
-    statisticsOverlay(frames, editor.renderer() ? editor.renderer()->stats() : none, {m_min.x + 10, m_min.y + top},
+    statisticsOverlay(frames, editor.renderer() ? editor.renderer()->stats() : none, memoryOf(*editor.document()), {m_min.x + 10, m_min.y + top},
                       {float(m_size.x) - 20, float(m_size.y) - top - 46});
 }
 

@@ -2,6 +2,8 @@
 
 #include "renderer/gl/machine.h"
 
+#include <numeric>
+
 namespace renderer {
 namespace {
 
@@ -9,14 +11,6 @@ CullRequest without(CullRequest request, std::uint32_t flags)
 {
     request.refused |= flags;
     return request;
-}
-
-std::uint32_t visible(std::span<const DrawList> lists)
-{
-    std::uint64_t count = 0;
-    for (const DrawList& list : lists)
-        count += list.visible;
-    return std::uint32_t(count);
 }
 
 CullRequest only(CullRequest request, std::uint32_t flags)
@@ -38,17 +32,16 @@ std::vector<DrawList> ViewChooser::choose(GpuFrame& gpu, Scenery& scenery, const
     std::vector<DrawList> lists;
     const bool blended = !request.towardSun; // glass casts no shadow
     if (!culledOnGpu(settings)) {
-        scenery.world.batchedDraws(gpu.stream(), request, blended, lists);
-        scenery.world.directDraws(gpu.stream(), request, blended, lists);
-        m_counts = {.drawn = visible(lists)};
+        m_counts = scenery.world.batchedDraws(gpu.stream(), request, blended, lists);
+        addTo(m_counts, scenery.world.directDraws(gpu.stream(), request, blended, lists));
         return lists;
     }
     lists.push_back(opaqueOnGpu(gpu, scenery, without(request, CULL_BLENDS), occlusion));
     m_counts = m_view.counts();
+    gpu.count(0, std::accumulate(std::begin(m_counts.triangles), std::end(m_counts.triangles), std::uint64_t(0)));
     if (scenery.world.sharedModels().blends())
-        scenery.world.batchedDraws(gpu.stream(), only(request, CULL_BLENDS), blended, lists);
-    scenery.world.directDraws(gpu.stream(), request, blended, lists);
-    m_counts.drawn += visible(lists); // the first list's are the GPU's to count
+        addTo(m_counts, scenery.world.batchedDraws(gpu.stream(), only(request, CULL_BLENDS), blended, lists));
+    addTo(m_counts, scenery.world.directDraws(gpu.stream(), request, blended, lists));
     return lists;
 }
 

@@ -43,7 +43,8 @@ struct CullScene {
     const InstanceTree* tree = nullptr; // where there is one, cost follows what is inside
 };
 
-// One that fades is there twice.
-void cull(const CullScene& scene, const CullRequest& request, std::vector<Seen>& seen);
+// One that fades is there twice. Answers the instances that passed each test.
+glsl::CullCounts cull(const CullScene& scene, const CullRequest& request, std::vector<Seen>& seen);
+void addTo(glsl::CullCounts& sum, const glsl::CullCounts& more);
 
 } // namespace renderer

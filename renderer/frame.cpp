@@ -10,6 +10,20 @@ namespace {
 constexpr int kLargestSide = 16384;      // pixels; every OpenGL 4.5 has textures of that size
 constexpr double kSmallestPixels = 0.6; // diameter under which an object is left out
 
+bool needsLight(Show show) // or only what surfaces are
+{
+    switch (show) {
+    case Show::Albedo:
+    case Show::Normal:
+    case Show::Roughness:
+    case Show::Depth:
+    case Show::Position:
+    case Show::Id:
+    case Show::Ao: return false;
+    default: return true;
+    }
+}
+
 } // namespace
 
 // The frame, top to bottom. A pass takes what it reads and returns what it makes, so the data flow is the argument
@@ -23,6 +37,7 @@ Picture Renderer::State::render(const FrameInput& in)
     const Viewpoint viewpoint = look(in);
     canvas.resize("picture", viewpoint.eye.size);
     scenery.world.select(in.selection);
+    const std::uint64_t uploaded = scenery.world.uploadedBytes();
     scenery.world.upload(culledOnGpu(in.settings));
     impostors.render(gpu, scenery.world.sharedModels(), scenery.world.impostors());
     gpu.constants(VIEW_BINDING, viewpoint.view);
@@ -34,10 +49,11 @@ Picture Renderer::State::render(const FrameInput& in)
     const GeometryPass::Drawn drawn = drawSurfaces(gpu, in, viewpoint);
     const GBuffer& surfaces = geometry.finish();
 
-    Radiance& hdr = lighting.render(gpu, surfaces, viewpoint, in.settings);
-    sky.render(gpu, hdr, viewpoint);
+    const bool lit = needsLight(in.show);
+    Radiance& hdr = lit ? lighting.render(gpu, surfaces, viewpoint, in.settings) : lighting.unlit(surfaces);
+    if (lit) sky.render(gpu, hdr, viewpoint);
     transparent.render(gpu, hdr, surfaces, scenery, viewpoint, drawn.objects, in.ghosts, in.settings);
-    radiance = &hdr;
+    radiance = lit ? &hdr : nullptr;
 
     const bool final = in.show == Show::Final;
     if (final) toneMap.render(gpu, canvas, hdr, in.settings);
@@ -46,7 +62,8 @@ Picture Renderer::State::render(const FrameInput& in)
     overlay.render(gpu, canvas, surfaces, viewpoint, scenery.world.boundsOf(outlined), linesOf(in, viewpoint));
     stats.cullingFrozen = in.freezeCulling;
     if (in.freezeCulling && !frozen) frozen = {viewpoint.eye, occlusionOf(in.settings) != Occlusion::Off};
-    stats.gpuBytes = gl::Footprint::total();
+    stats.uploadedBytes = stream.taken() + scenery.world.uploadedBytes() - uploaded;
+    countMemory();
     return {.texture = canvas.texture.id(), .size = canvas.texture.size()};
 }
 
@@ -93,6 +110,7 @@ GeometryPass::Drawn Renderer::State::drawSurfaces(GpuFrame& gpu, const FrameInpu
                               .sortedFor = viewpoint.eye.position,
                               .refused = in.markers ? 0u : CULL_MARKER};
     const Occlusion occlusion = occlusionOf(in.settings);
+    stats.occlusionTested = occlusion != Occlusion::Off;
     GeometryPass::Drawn drawn;
     {
         const auto scope = gpu.scope("cull");
@@ -139,13 +157,26 @@ void Renderer::State::count(const GeometryPass::Drawn& drawn)
     stats.instances = scenery.world.instances();
     stats.instancesDrawn = counts.drawn;
     stats.instancesInside = counts.inside;
+    stats.instancesLarge = counts.large;
     stats.instancesHidden = counts.hidden;
     stats.trianglesDrawn = drawn.ground.triangles;
-    for (const DrawList& list : drawn.objects)
-        for (std::size_t level = 0; level < MOST_LEVELS; ++level) {
-            stats.trianglesOfLevel[level] += list.trianglesOfLevel[level];
-            stats.trianglesDrawn += list.trianglesOfLevel[level];
-        }
+    for (std::size_t level = 0; level < MOST_LEVELS; ++level) {
+        std::uint64_t triangles = counts.triangles[level]; // the GPU's, that of lists the CPU's
+        for (const DrawList& list : drawn.objects)
+            triangles += list.trianglesOfLevel[level];
+        stats.trianglesOfLevel[level] = triangles;
+        stats.trianglesDrawn += triangles;
+    }
+}
+
+void Renderer::State::countMemory()
+{
+    using gl::Footprint, gl::MemoryKind;
+    stats.gpuMemory = {.textures = Footprint::total(MemoryKind::Textures),
+                       .buffers = Footprint::total(MemoryKind::Buffers),
+                       .shadowMaps = Footprint::total(MemoryKind::ShadowMaps),
+                       .targets = Footprint::total(MemoryKind::Targets)};
+    stats.gpuBytes = Footprint::total();
 }
 
 } // namespace renderer

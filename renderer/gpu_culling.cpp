@@ -68,7 +68,10 @@ void CullTable::update(const ModelLibrary& models)
                                 .fading = bin.fading,
                                 .commandOffset = parts.size() * sizeof(DrawCommand)});
         ++m_ranges.back().commands;
-        parts.push_back({.firstIndex = p.part->firstIndex, .indexCount = p.part->indexCount, .bin = p.bin});
+        parts.push_back({.firstIndex = p.part->firstIndex,
+                         .indexCount = p.part->indexCount,
+                         .bin = p.bin,
+                         .level = std::uint32_t(bin.level)});
     }
     m_partCount = std::uint32_t(parts.size());
     m_binCount = std::uint32_t(bins.size());
@@ -93,7 +96,8 @@ const gl::Texture& DepthPyramid::make(GpuFrame& gpu, const gl::Texture& depth)
                                 .size = size,
                                 .format = GL_R32F,
                                 .mips = gl::fullMipCount(size),
-                                .filter = GL_NEAREST}};
+                                .filter = GL_NEAREST,
+                                .target = true}};
     if (!gpu.use(m_program)) return m_levels;
     for (int mip = 0; mip < m_levels.mips(); ++mip) {
         const glm::ivec2 coarse = m_levels.size(mip);

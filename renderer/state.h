@@ -26,6 +26,7 @@ struct Renderer::State {
     std::vector<Line> linesOf(const FrameInput& in, const Viewpoint& viewpoint) const;
     GeometryPass::Drawn drawSurfaces(GpuFrame& gpu, const FrameInput& in, const Viewpoint& viewpoint);
     void count(const GeometryPass::Drawn& drawn);
+    void countMemory();
 
     gl::DebugOutput debug;
     ShaderLibrary shaders;
@@ -56,7 +57,7 @@ struct Renderer::State {
     std::optional<Frozen> frozen;
 
     PictureTarget canvas;
-    Radiance* radiance = nullptr; // of the last frame
+    Radiance* radiance = nullptr; // of the last frame, if that has any
 };
 
 } // namespace renderer

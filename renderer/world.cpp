@@ -189,14 +189,16 @@ void World::upload(bool culledThere)
     m_uploadedBytes += m_direct.uploadInstances({.records = true});
 }
 
-void World::batchedDraws(GpuStream& stream, const CullRequest& request, bool blended, std::vector<DrawList>& lists) const
+glsl::CullCounts World::batchedDraws(GpuStream& stream, const CullRequest& request, bool blended,
+                                     std::vector<DrawList>& lists) const
 {
-    m_batched.draws(stream, request, blended, m_direct.blends(), lists);
+    return m_batched.draws(stream, request, blended, m_direct.blends(), lists);
 }
 
-void World::directDraws(GpuStream& stream, const CullRequest& request, bool blended, std::vector<DrawList>& lists) const
+glsl::CullCounts World::directDraws(GpuStream& stream, const CullRequest& request, bool blended,
+                                    std::vector<DrawList>& lists) const
 {
-    m_direct.draws(stream, request, blended, m_direct.blends(), lists);
+    return m_direct.draws(stream, request, blended, m_direct.blends(), lists);
 }
 
 std::vector<const InstanceTree*> World::trees() const

@@ -8,7 +8,7 @@ namespace renderer {
 void PictureTarget::resize(std::string_view label, glm::ivec2 size)
 {
     if (texture.size() == size) return;
-    texture = gl::Texture{{.label = label, .size = size, .format = GL_RGBA8}};
+    texture = gl::Texture{{.label = label, .size = size, .format = GL_RGBA8, .target = true}};
     glTextureParameteri(texture.id(), GL_TEXTURE_SWIZZLE_A, GL_ONE); // whoever shows it in a panel sees it opaque
     framebuffer = gl::Framebuffer{{.label = label, .colours = {&texture}}};
 }
