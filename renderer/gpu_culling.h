@@ -45,7 +45,8 @@ private:
 
 class CulledView {
 public:
-    explicit CulledView(ShaderLibrary& shaders);
+    static constexpr std::size_t kMostRoom = 1u << 22; // instances in a list; 320 MB
+    explicit CulledView(ShaderLibrary& shaders, std::size_t mostRoom = kMostRoom);
 
     // Everything at once, without occlusion.
     DrawList all(GpuFrame& gpu, const CullTable& table, const GpuCullScene& scene, const CullRequest& request);
@@ -69,7 +70,8 @@ private:
     const gl::Program &m_all, &m_early, &m_late, &m_kept, &m_copy, &m_commands;
     std::array<Pass, 2> m_passes;
     gl::Buffer m_decided, m_seen, m_countsBuffer;
-    std::size_t m_room = 0;      // instances in a list
+    std::size_t m_mostRoom;      // what is more in view than this is left out, and said
+    std::size_t m_room;          // instances in a list
     std::size_t m_slots = 0;     // that m_seen knows
     bool m_warned = false;
 

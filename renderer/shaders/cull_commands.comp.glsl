@@ -28,7 +28,7 @@ void main()
             sums[i] = total;
             total += own;
         }
-        counts.copies = total;
+        counts.copies = max(counts.copies, total); // of both lists of a frame
     }
     barrier();
     uint place = sums[thread];

@@ -53,7 +53,7 @@ SHARED_STRUCT_END(CullPart, 16)
 
 struct CullCounts { // instances: inside the view, of those large enough, of those hidden; drawn
     uint inside, large, hidden, drawn;
-    uint copies, unused0, unused1, unused2; // entries, with both of what fades
+    uint copies, unused0, unused1, unused2; // entries of the longest list, with both of what fades
     uint triangles[MOST_LEVELS]; // drawn; std430 alone
 };
 SHARED_STRUCT_END(CullCounts, 64)
