@@ -174,6 +174,8 @@ void addRender(CLI::App& app, Options& o)
            "--show", [&o](const std::string& text) { o.show = showFrom(text); },
            fmt::format("{}", fmt::join(enumNames(renderer::Show{}), " ")))
         ->type_name("BUFFER");
+    option(app, "--cull-from", o.cullFrom, viewFrom, "draw what a camera there would draw, and its view as lines")
+        ->type_name("VIEW");
     option(app, "--frames", o.range, rangeFrom, "frames A to B of a camera path, numbered (60 a second)")
         ->type_name("A..B");
     app.add_option_function<std::string>(

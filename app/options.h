@@ -46,6 +46,7 @@ struct Options {
     std::string path;   // name
     std::filesystem::path out;
     renderer::Show show = renderer::Show::Final;
+    std::optional<io::Camera> cullFrom; // render
     std::optional<FrameRange> range; // render
     int count = 0;                   // render: pictures spread over the path; 0: not asked for
     int frames = 0;                  // bench; 0: its own choice

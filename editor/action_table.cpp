@@ -228,6 +228,20 @@ void viewActions(Actions& a, Editor& e)
            .keys = {.key = Key::F3},
            .run = [&e] { e.viewport().showStatistics = !e.viewport().showStatistics; },
            .checked = [&e] { return e.viewport().showStatistics; }});
+    a.add({.id = "freeze_culling",
+           .keys = {.key = Key::F4},
+           .run = [&e] { e.viewport().freezeCulling = !e.viewport().freezeCulling; },
+           .enabled = open,
+           .checked = [&e] { return e.viewport().freezeCulling; }});
+    a.add({.id = "tree_nodes",
+           .keys = {.key = Key::F6},
+           .run =
+               [&e] {
+                   const bool shown = e.show == renderer::Show::Nodes;
+                   e.show = shown ? renderer::Show::Final : renderer::Show::Nodes;
+               },
+           .enabled = open,
+           .checked = [&e] { return e.show == renderer::Show::Nodes; }});
     a.add({.id = "animate",
            .run = [&e] { e.setAnimates(!e.animates()); },
            .checked = [&e] { return e.animates(); }});

@@ -132,7 +132,7 @@ void viewMenu(Editor& editor)
     camerasMenu(editor);
     ImGui::Separator();
     showMenu(editor);
-    items(editor, {"rendering", "overlays", "statistics", "animate"});
+    items(editor, {"rendering", "overlays", "statistics", "freeze_culling", "tree_nodes", "animate"});
     ImGui::Separator();
     panelsMenu(editor);
     rateMenu(editor);

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "editor/frame_history.h"
+#include "editor/memory.h"
 
 #include <imgui.h>
 
 namespace editor {
 
-// `top` is its upper left corner; it is narrower where `room` asks for it.
-void statisticsOverlay(const FrameHistory& frames, const renderer::FrameStats& stats, ImVec2 top, ImVec2 room);
+// `top` is its upper left corner; it is narrower where `room` asks for it, and in two columns where that is too low for one.
+void statisticsOverlay(const FrameHistory& frames, const renderer::FrameStats& stats, const WorldMemory& world, ImVec2 top,
+                       ImVec2 room);
 
 } // namespace editor

@@ -30,6 +30,7 @@ double axisOf(Key positive, Key negative)
 void Viewport::reset()
 {
     m_drag = Drag::None;
+    freezeCulling = false;
     m_cycle.reset();
     stopPlacing();
     m_tinted.clear();

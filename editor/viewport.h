@@ -32,6 +32,7 @@ public:
     bool snapping = false;  // Ctrl turns it round while dragging
     bool showOverlays = true;
     bool showStatistics = false; // over the picture
+    bool freezeCulling = false;  // flying on, one sees what was culled then
     FrameHistory frames;
 
     View view() const { return {camera.camera(), m_size}; }

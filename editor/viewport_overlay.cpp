@@ -5,6 +5,7 @@
 #include "editor/text.h"
 #include "editor/viewport.h"
 #include "editor/widgets.h"
+#include "renderer/debug_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,17 +37,6 @@ glm::dvec2 middleOf(const GizmoShape& shape)
     for (const glm::dvec2& p : shape.points)
         sum += p;
     return sum / double(shape.points.size());
-}
-
-// The twelve edges of a box.
-void addBox(std::vector<renderer::Line>& lines, const io::WorldBox& box, const glm::vec4& colour)
-{
-    const auto corner = [&box](int i) {
-        return glm::dvec3{i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z};
-    };
-    for (int i = 0; i < 8; ++i)
-        for (const int bit : {1, 2, 4})
-            if (!(i & bit)) lines.push_back({.from = corner(i), .to = corner(i | bit), .colour = colour});
 }
 
 // Text on a dark pill; answers its width.
@@ -85,6 +75,7 @@ renderer::FrameInput Viewport::frameInput(Editor& editor)
     input.selection = m_tinted;
     if (m_ghost) input.ghosts = {&*m_ghost, 1};
     input.lines = m_lines;
+    input.freezeCulling = freezeCulling;
     return input;
 }
 
@@ -107,7 +98,7 @@ void Viewport::refreshSelectionShown(Editor& editor)
         const io::Object* object = document.scene().find(id);
         if (!object || object->templateId != io::TemplateId::None) continue;
         if (const io::WorldBox box = boundsOf(document, {&id, 1}); !box.empty())
-            addBox(m_lines, box, {0.62f, 0.47f, 1.0f, 0.55f});
+            renderer::addBox(m_lines, box, {0.62f, 0.47f, 1.0f, 0.55f});
     }
 }
 
@@ -193,6 +184,10 @@ void Viewport::drawHints(Editor& editor) const
         pill({m_min.x + 10, m_min.y + 10}, tr("show." + std::string{names[std::size_t(editor.show)]}), kHot, false,
              Icon::Layers);
     }
+    if (freezeCulling) {
+        const float top = editor.show == renderer::Show::Final ? 10.f : 42.f;
+        pill({m_min.x + 10, m_min.y + top}, tr("viewport.culling_frozen"), kHot, false, Icon::Frame);
+    }
     if (m_drag == Drag::Look || m_speedShown > 0) {
         pill({middle, bottom}, trf("viewport.speed", camera.speed()), palette::kText, true, Icon::Camera);
     } else if (m_placing != io::TemplateId::None) {
@@ -206,8 +201,9 @@ void Viewport::drawHints(Editor& editor) const
 void Viewport::drawStatistics(Editor& editor) const
 {
     const renderer::FrameStats none;
-    const float top = editor.show == renderer::Show::Final || !showOverlays ? 10 : 46;
-    statisticsOverlay(frames, editor.renderer() ? editor.renderer()->stats() : none, {m_min.x + 10, m_min.y + top},
+    const int pills = showOverlays ? int(editor.show != renderer::Show::Final) + int(freezeCulling) : 0;
+    const float top = pills == 0 ? 10.f : 14.f + 32.f * float(pills);
+    statisticsOverlay(frames, editor.renderer() ? editor.renderer()->stats() : none, memoryOf(*editor.document()), {m_min.x + 10, m_min.y + top},
                       {float(m_size.x) - 20, float(m_size.y) - top - 46});
 }
 

@@ -16,7 +16,7 @@ struct Canvas::State {
 Canvas::Canvas(glm::ivec2 size) : m_state{std::make_unique<State>()}
 {
     EXPECTS(size.x > 0 && size.y > 0);
-    m_state->colour = gl::Texture{{.label = "canvas", .size = size, .format = GL_RGBA8}};
+    m_state->colour = gl::Texture{{.label = "canvas", .size = size, .format = GL_RGBA8, .target = true}};
     m_state->framebuffer = gl::Framebuffer{{.label = "canvas", .colours = {&m_state->colour}}};
 }
 

@@ -2,6 +2,8 @@
 
 #include "renderer/gl/machine.h"
 
+#include <numeric>
+
 namespace renderer {
 namespace {
 
@@ -9,14 +11,6 @@ CullRequest without(CullRequest request, std::uint32_t flags)
 {
     request.refused |= flags;
     return request;
-}
-
-std::uint32_t visible(std::span<const DrawList> lists)
-{
-    std::uint64_t count = 0;
-    for (const DrawList& list : lists)
-        count += list.visible;
-    return std::uint32_t(count);
 }
 
 CullRequest only(CullRequest request, std::uint32_t flags)
@@ -33,27 +27,35 @@ bool culledOnGpu(const Settings& settings)
 }
 
 std::vector<DrawList> ViewChooser::choose(GpuFrame& gpu, Scenery& scenery, const CullRequest& request,
-                                          const Settings& settings, bool occlusion)
+                                          const Settings& settings, Occlusion occlusion)
 {
     std::vector<DrawList> lists;
     const bool blended = !request.towardSun; // glass casts no shadow
     if (!culledOnGpu(settings)) {
-        scenery.world.batchedDraws(gpu.stream(), request, blended, lists);
-        scenery.world.directDraws(gpu.stream(), request, blended, lists);
-        m_counts = {.drawn = visible(lists)};
+        m_counts = scenery.world.batchedDraws(gpu.stream(), request, blended, lists);
+        addTo(m_counts, scenery.world.directDraws(gpu.stream(), request, blended, lists));
         return lists;
     }
+    lists.push_back(opaqueOnGpu(gpu, scenery, without(request, CULL_BLENDS), occlusion));
+    m_counts = m_view.counts();
+    gpu.count(0, std::accumulate(std::begin(m_counts.triangles), std::end(m_counts.triangles), std::uint64_t(0)));
+    if (scenery.world.sharedModels().blends())
+        addTo(m_counts, scenery.world.batchedDraws(gpu.stream(), only(request, CULL_BLENDS), blended, lists));
+    addTo(m_counts, scenery.world.directDraws(gpu.stream(), request, blended, lists));
+    return lists;
+}
+
+DrawList ViewChooser::opaqueOnGpu(GpuFrame& gpu, Scenery& scenery, const CullRequest& request, Occlusion occlusion)
+{
     const ModelLibrary& models = scenery.world.sharedModels();
     scenery.cullTable.update(models);
-    const CullRequest opaque = without(request, CULL_BLENDS);
-    lists.push_back(occlusion ? m_view.early(gpu, scenery.cullTable, scenery.world.gpuScene(), opaque)
-                              : m_view.all(gpu, scenery.cullTable, scenery.world.gpuScene(), opaque));
-    lists.back().models = &models;
-    m_counts = m_view.counts();
-    if (models.blends()) scenery.world.batchedDraws(gpu.stream(), only(request, CULL_BLENDS), blended, lists);
-    scenery.world.directDraws(gpu.stream(), request, blended, lists);
-    m_counts.drawn += visible(lists); // the first list's are the GPU's to count
-    return lists;
+    const GpuCullScene scene = scenery.world.gpuScene();
+    DrawList list;
+    if (occlusion == Occlusion::SeenBefore) list = m_view.early(gpu, scenery.cullTable, scene, request);
+    else if (occlusion == Occlusion::Kept) list = m_view.kept(gpu, scenery.cullTable, scene, request);
+    else list = m_view.all(gpu, scenery.cullTable, scene, request);
+    list.models = &models;
+    return list;
 }
 
 DrawList ViewChooser::chooseRest(GpuFrame& gpu, Scenery& scenery, const CullRequest& request, const gl::Texture& pyramid)

@@ -46,14 +46,18 @@ glsl::CullRecord cullRecord(const glm::dvec3& centre, double radius, std::uint32
     return {.centre = glm::vec3{centre}, .radius = float(radius * 1.0001 + rounding), .model = model, .flags = flags};
 }
 
-void cull(const CullScene& scene, const CullRequest& request, std::vector<Seen>& seen)
+glsl::CullCounts cull(const CullScene& scene, const CullRequest& request, std::vector<Seen>& seen)
 {
     seen.clear();
     const glsl::CullView view = cullView(request, scene.records.size());
+    glsl::CullCounts counts{};
     const auto test = [&](std::uint32_t slot, bool inside) {
         const glsl::CullRecord& record = scene.records[slot];
-        if (glsl::wanted(record, view) && (inside || glsl::insidePlanes(record, view)) && glsl::largeEnough(record, view))
-            see(scene, view, slot, seen);
+        if (!glsl::wanted(record, view) || !(inside || glsl::insidePlanes(record, view))) return;
+        ++counts.inside;
+        if (!glsl::largeEnough(record, view)) return;
+        ++counts.large;
+        see(scene, view, slot, seen);
     };
     if (request.volume && scene.tree)
         scene.tree->frustum(request.volume->planes, [&](const auto& items, bool whole) {
@@ -63,6 +67,16 @@ void cull(const CullScene& scene, const CullRequest& request, std::vector<Seen>&
     else
         for (std::uint32_t slot = 0; slot < scene.records.size(); ++slot)
             test(slot, false);
+    counts.drawn = counts.large;
+    return counts;
+}
+
+void addTo(glsl::CullCounts& sum, const glsl::CullCounts& more)
+{
+    sum.inside += more.inside;
+    sum.large += more.large;
+    sum.hidden += more.hidden;
+    sum.drawn += more.drawn;
 }
 
 } // namespace renderer

@@ -21,6 +21,7 @@ struct CullRequest {
     float errorAngle = 0;                // error / distance that a level of detail may have; 0: full models
     float errorLength = 0;               // m, the same for parallel light
     bool impostors = false;              // they will do
+    std::optional<glm::dvec3> sortedFor; // what blends; none: for the eye
     std::uint32_t required = 0;          // flags
     std::uint32_t refused = 0;
 };
@@ -34,13 +35,16 @@ struct Seen {
     std::uint32_t slot() const { return drawn & DRAWN_SLOT_MASK; }
 };
 
+using InstanceTree = io::SceneTree<std::uint32_t>; // of rows or slots
+
 struct CullScene {
     std::span<const glsl::CullRecord> records; // by slot
     std::span<const glsl::CullModel> models;
-    const io::SceneTree<std::uint32_t>* tree = nullptr; // of slots; where there is one, cost follows what is inside
+    const InstanceTree* tree = nullptr; // where there is one, cost follows what is inside
 };
 
-// One that fades is there twice.
-void cull(const CullScene& scene, const CullRequest& request, std::vector<Seen>& seen);
+// One that fades is there twice. Answers the instances that passed each test.
+glsl::CullCounts cull(const CullScene& scene, const CullRequest& request, std::vector<Seen>& seen);
+void addTo(glsl::CullCounts& sum, const glsl::CullCounts& more);
 
 } // namespace renderer

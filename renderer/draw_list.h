@@ -37,6 +37,7 @@ struct DrawList {
     std::vector<DrawRange> opaque;  // masked too
     std::vector<DrawRange> blended; // back to front
     std::uint64_t visible = 0;      // instances
+    glsl::CullCounts counts{};      // where the CPU culled
     std::array<std::uint64_t, MOST_LEVELS> trianglesOfLevel{};
 };
 

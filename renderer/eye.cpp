@@ -88,6 +88,11 @@ Eye eyeOf(const io::Camera& camera, glm::ivec2 size)
             .size = size};
 }
 
+double pixelAngle(const Eye& eye)
+{
+    return 2 * eye.tanHalfFov / eye.size.y;
+}
+
 glsl::View viewBlock(const Eye& eye, const glm::dmat4& clipFromRelative, double time, double exposure)
 {
     glsl::View view{};
@@ -101,7 +106,7 @@ glsl::View viewBlock(const Eye& eye, const glm::dmat4& clipFromRelative, double 
     view.right = glm::vec3{eye.right * (eye.tanHalfFov * eye.aspect)};
     view.up = glm::vec3{eye.up * eye.tanHalfFov};
     view.exposure = float(std::exp2(exposure));
-    view.pixelAngle = float(2 * eye.tanHalfFov / eye.size.y);
+    view.pixelAngle = float(pixelAngle(eye));
     view.size = eye.size;
     view.texel = 1.0f / glm::vec2{eye.size};
     return view;

@@ -22,6 +22,7 @@ struct Eye {
 };
 
 Eye eyeOf(const io::Camera& camera, glm::ivec2 size);
+double pixelAngle(const Eye& eye); // rad, of a pixel in the picture's middle
 
 // `clipFromRelative` may be a shadow cascade's; the rest is the eye's.
 glsl::View viewBlock(const Eye& eye, const glm::dmat4& clipFromRelative, double time, double exposure);

@@ -1,3 +1,4 @@
+#include "renderer/debug_lines.h"
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/state.h"
 
@@ -9,6 +10,20 @@ namespace {
 constexpr int kLargestSide = 16384;      // pixels; every OpenGL 4.5 has textures of that size
 constexpr double kSmallestPixels = 0.6; // diameter under which an object is left out
 
+bool needsLight(Show show) // or only what surfaces are
+{
+    switch (show) {
+    case Show::Albedo:
+    case Show::Normal:
+    case Show::Roughness:
+    case Show::Depth:
+    case Show::Position:
+    case Show::Id:
+    case Show::Ao: return false;
+    default: return true;
+    }
+}
+
 } // namespace
 
 // The frame, top to bottom. A pass takes what it reads and returns what it makes, so the data flow is the argument
@@ -18,32 +33,37 @@ Picture Renderer::State::render(const FrameInput& in)
     shaders.reloadIfDue();
     GpuFrame gpu{stream, timers, stats, empty};
     scenery.groundShadow.update(scenery.terrain.heights(), io::towardSun(scenery.environment));
+    if (!in.freezeCulling) frozen.reset();
     const Viewpoint viewpoint = look(in);
     canvas.resize("picture", viewpoint.eye.size);
     scenery.world.select(in.selection);
+    const std::uint64_t uploaded = scenery.world.uploadedBytes();
     scenery.world.upload(culledOnGpu(in.settings));
     impostors.render(gpu, scenery.world.sharedModels(), scenery.world.impostors());
     gpu.constants(VIEW_BINDING, viewpoint.view);
     gpu.constants(LIGHT_BINDING, viewpoint.light);
 
     skyTables.update(gpu, viewpoint.light);
-    scenery.terrain.aim(viewpoint.eye, in.settings.lod ? std::max(in.settings.lodPixels, 1.0f) : 1.0f);
+    scenery.terrain.aim(viewpoint.eye, viewpoint.culledFor, in.settings.lod ? std::max(in.settings.lodPixels, 1.0f) : 1.0f);
     shadow.render(gpu, scenery, viewpoint, in.settings);
     const GeometryPass::Drawn drawn = drawSurfaces(gpu, in, viewpoint);
     const GBuffer& surfaces = geometry.finish();
 
-    Radiance& hdr = lighting.render(gpu, surfaces, viewpoint, in.settings);
-    sky.render(gpu, hdr, viewpoint);
+    const bool lit = needsLight(in.show);
+    Radiance& hdr = lit ? lighting.render(gpu, surfaces, viewpoint, in.settings) : lighting.unlit(surfaces);
+    if (lit) sky.render(gpu, hdr, viewpoint);
     transparent.render(gpu, hdr, surfaces, scenery, viewpoint, drawn.objects, in.ghosts, in.settings);
-    radiance = &hdr;
+    radiance = lit ? &hdr : nullptr;
 
-    if (in.show == Show::Final) {
-        toneMap.render(gpu, canvas, hdr, in.settings);
-        overlay.render(gpu, canvas, surfaces, viewpoint, scenery.world.boundsOf(in.selection), in.lines);
-    } else {
-        show.render(gpu, canvas, in.show, hdr, surfaces, scenery, viewpoint, drawn);
-    }
-    stats.gpuBytes = gl::Footprint::total();
+    const bool final = in.show == Show::Final;
+    if (final) toneMap.render(gpu, canvas, hdr, in.settings);
+    else show.render(gpu, canvas, in.show, hdr, surfaces, scenery, viewpoint, drawn);
+    const std::span<const io::ObjectId> outlined = final ? in.selection : std::span<const io::ObjectId>{};
+    overlay.render(gpu, canvas, surfaces, viewpoint, scenery.world.boundsOf(outlined), linesOf(in, viewpoint));
+    stats.cullingFrozen = in.freezeCulling;
+    if (in.freezeCulling && !frozen) frozen = {viewpoint.eye, occlusionOf(in.settings) != Occlusion::Off};
+    stats.uploadedBytes = stream.taken() + scenery.world.uploadedBytes() - uploaded;
+    countMemory();
     return {.texture = canvas.texture.id(), .size = canvas.texture.size()};
 }
 
@@ -53,6 +73,8 @@ Viewpoint Renderer::State::look(const FrameInput& in) const
     environment.shadows = capped(environment.shadows, in.settings);
     Viewpoint v;
     v.eye = eyeOf(in.camera, glm::clamp(in.size, 1, kLargestSide));
+    v.culledFor = frozen ? frozen->eye : v.eye;
+    v.frozen = frozen.has_value();
     v.towardSun = io::towardSun(environment);
     v.view = viewBlock(v.eye, v.eye.clipFromRelative, in.time, environment.exposure);
     const bool sunUp = v.towardSun.y > -0.02;
@@ -66,19 +88,29 @@ Viewpoint Renderer::State::look(const FrameInput& in) const
     return v;
 }
 
+Occlusion Renderer::State::occlusionOf(const Settings& settings) const
+{
+    if (!settings.culling || !settings.occlusion || !culledOnGpu(settings)) return Occlusion::Off;
+    if (!frozen) return Occlusion::SeenBefore;
+    return frozen->looked ? Occlusion::Kept : Occlusion::Off;
+}
+
 // The objects and the ground that the camera sees, into the GBuffer. Objects first: the ground, whose pixels cost more,
 // is then drawn only where it shows.
 GeometryPass::Drawn Renderer::State::drawSurfaces(GpuFrame& gpu, const FrameInput& in, const Viewpoint& viewpoint)
 {
-    const Eye& eye = viewpoint.eye;
+    const Eye& eye = viewpoint.culledFor;
+    const auto pixel = float(pixelAngle(eye));
     const std::optional<Volume> volume = in.settings.culling ? std::optional{volumeOf(eye)} : std::nullopt;
     const CullRequest request{.volume = volume,
                               .eye = eye.position,
-                              .smallestAngle = float(kSmallestPixels / 2 * viewpoint.view.pixelAngle),
-                              .errorAngle = in.settings.lod ? in.settings.lodPixels * viewpoint.view.pixelAngle : 0.0f,
+                              .smallestAngle = float(kSmallestPixels / 2 * pixel),
+                              .errorAngle = in.settings.lod ? in.settings.lodPixels * pixel : 0.0f,
                               .impostors = true,
+                              .sortedFor = viewpoint.eye.position,
                               .refused = in.markers ? 0u : CULL_MARKER};
-    const bool occlusion = in.settings.culling && in.settings.occlusion && culledOnGpu(in.settings);
+    const Occlusion occlusion = occlusionOf(in.settings);
+    stats.occlusionTested = occlusion != Occlusion::Off;
     GeometryPass::Drawn drawn;
     {
         const auto scope = gpu.scope("cull");
@@ -92,7 +124,7 @@ GeometryPass::Drawn Renderer::State::drawSurfaces(GpuFrame& gpu, const FrameInpu
             geometry.drawObjects(gpu, list);
         geometry.drawGround(gpu, scenery, drawn.ground);
     }
-    if (occlusion) {
+    if (occlusion == Occlusion::SeenBefore) {
         const auto scope = gpu.scope("what came into sight");
         const gl::Texture& farthest = pyramid.make(gpu, geometry.targets().depth);
         drawn.objects.push_back(chooser.chooseRest(gpu, scenery, request, farthest));
@@ -102,19 +134,49 @@ GeometryPass::Drawn Renderer::State::drawSurfaces(GpuFrame& gpu, const FrameInpu
     return drawn;
 }
 
+// What is drawn into the world beside what the editor asks for.
+std::vector<Line> Renderer::State::linesOf(const FrameInput& in, const Viewpoint& viewpoint) const
+{
+    std::vector<Line> lines;
+    if (in.show == Show::Final) lines.assign(in.lines.begin(), in.lines.end());
+    if (viewpoint.frozen) {
+        io::WorldBox bounds = scenery.world.bounds();
+        bounds.add(scenery.terrain.bounds());
+        addFrustum(lines, viewpoint.culledFor, bounds);
+    }
+    if (in.show == Show::Nodes) {
+        const std::vector<const InstanceTree*> trees = scenery.world.trees();
+        addNodes(lines, trees, viewpoint.eye, viewpoint.frozen ? std::optional{volumeOf(viewpoint.culledFor)} : std::nullopt);
+    }
+    return lines;
+}
+
 void Renderer::State::count(const GeometryPass::Drawn& drawn)
 {
     const glsl::CullCounts& counts = chooser.counts();
     stats.instances = scenery.world.instances();
     stats.instancesDrawn = counts.drawn;
     stats.instancesInside = counts.inside;
+    stats.instancesLarge = counts.large;
     stats.instancesHidden = counts.hidden;
     stats.trianglesDrawn = drawn.ground.triangles;
-    for (const DrawList& list : drawn.objects)
-        for (std::size_t level = 0; level < MOST_LEVELS; ++level) {
-            stats.trianglesOfLevel[level] += list.trianglesOfLevel[level];
-            stats.trianglesDrawn += list.trianglesOfLevel[level];
-        }
+    for (std::size_t level = 0; level < MOST_LEVELS; ++level) {
+        std::uint64_t triangles = counts.triangles[level]; // the GPU's, that of lists the CPU's
+        for (const DrawList& list : drawn.objects)
+            triangles += list.trianglesOfLevel[level];
+        stats.trianglesOfLevel[level] = triangles;
+        stats.trianglesDrawn += triangles;
+    }
+}
+
+void Renderer::State::countMemory()
+{
+    using gl::Footprint, gl::MemoryKind;
+    stats.gpuMemory = {.textures = Footprint::total(MemoryKind::Textures),
+                       .buffers = Footprint::total(MemoryKind::Buffers),
+                       .shadowMaps = Footprint::total(MemoryKind::ShadowMaps),
+                       .targets = Footprint::total(MemoryKind::Targets)};
+    stats.gpuBytes = Footprint::total();
 }
 
 } // namespace renderer

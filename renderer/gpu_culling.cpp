@@ -10,7 +10,6 @@ namespace renderer {
 namespace {
 
 constexpr std::size_t kFirstRoom = 16384;   // instances in a list
-constexpr std::size_t kMostRoom = 1u << 22; // the same; 320 MB
 constexpr GLuint kThreads = 64;
 
 template <class T>
@@ -68,7 +67,10 @@ void CullTable::update(const ModelLibrary& models)
                                 .fading = bin.fading,
                                 .commandOffset = parts.size() * sizeof(DrawCommand)});
         ++m_ranges.back().commands;
-        parts.push_back({.firstIndex = p.part->firstIndex, .indexCount = p.part->indexCount, .bin = p.bin});
+        parts.push_back({.firstIndex = p.part->firstIndex,
+                         .indexCount = p.part->indexCount,
+                         .bin = p.bin,
+                         .level = std::uint32_t(bin.level)});
     }
     m_partCount = std::uint32_t(parts.size());
     m_binCount = std::uint32_t(bins.size());
@@ -93,7 +95,8 @@ const gl::Texture& DepthPyramid::make(GpuFrame& gpu, const gl::Texture& depth)
                                 .size = size,
                                 .format = GL_R32F,
                                 .mips = gl::fullMipCount(size),
-                                .filter = GL_NEAREST}};
+                                .filter = GL_NEAREST,
+                                .target = true}};
     if (!gpu.use(m_program)) return m_levels;
     for (int mip = 0; mip < m_levels.mips(); ++mip) {
         const glm::ivec2 coarse = m_levels.size(mip);
@@ -112,13 +115,15 @@ CulledView::Reads::~Reads()
         if (read.done) glDeleteSync(read.done);
 }
 
-CulledView::CulledView(ShaderLibrary& shaders)
+CulledView::CulledView(ShaderLibrary& shaders, std::size_t mostRoom)
     : m_all{shaders.program({.label = "cull", .stages = {"cull.comp.glsl"}, .defines = {"DECIDE"}})},
       m_early{shaders.program({.label = "cull early", .stages = {"cull.comp.glsl"}, .defines = {"DECIDE", "EARLY"}})},
       m_late{shaders.program({.label = "cull late", .stages = {"cull.comp.glsl"}, .defines = {"DECIDE", "LATE"}})},
+      m_kept{shaders.program({.label = "cull kept", .stages = {"cull.comp.glsl"}, .defines = {"DECIDE", "KEPT"}})},
       m_copy{shaders.program({.label = "cull copies", .stages = {"cull.comp.glsl"}})},
       m_commands{shaders.program({.label = "cull commands", .stages = {"cull_commands.comp.glsl"}})},
-      m_countsBuffer{"culling counts", sizeof(glsl::CullCounts)}, m_room{kFirstRoom}, m_reads{std::make_unique<Reads>()}
+      m_countsBuffer{"culling counts", sizeof(glsl::CullCounts)}, m_mostRoom{mostRoom},
+      m_room{std::min(kFirstRoom, mostRoom)}, m_reads{std::make_unique<Reads>()}
 {
 }
 
@@ -188,6 +193,12 @@ DrawList CulledView::late(GpuFrame& gpu, const CullTable& table, const GpuCullSc
     return run(gpu, m_late, m_passes[1], table, scene, request);
 }
 
+DrawList CulledView::kept(GpuFrame& gpu, const CullTable& table, const GpuCullScene& scene, const CullRequest& request)
+{
+    readCounts();
+    return run(gpu, m_kept, m_passes[0], table, scene, request);
+}
+
 // Sends off the counts of the frame before, and takes those that have come.
 void CulledView::readCounts()
 {
@@ -210,8 +221,8 @@ void CulledView::readCounts()
         next.done = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     }
     clear(m_countsBuffer);
-    if (m_counts.copies > m_room && m_room < kMostRoom) {
-        m_room = std::min(kMostRoom, std::bit_ceil(std::size_t(m_counts.copies)));
+    if (m_counts.copies > m_room && m_room < m_mostRoom) {
+        m_room = std::min(m_mostRoom, std::bit_ceil(std::size_t(m_counts.copies)));
     } else if (m_counts.copies > m_room && !m_warned) {
         m_warned = true;
         io::log::warning("{} instances are in view, {} are drawn; look at less or lower the quality", m_counts.copies, m_room);

@@ -45,7 +45,8 @@ private:
 
 class CulledView {
 public:
-    explicit CulledView(ShaderLibrary& shaders);
+    static constexpr std::size_t kMostRoom = 1u << 22; // instances in a list; 320 MB
+    explicit CulledView(ShaderLibrary& shaders, std::size_t mostRoom = kMostRoom);
 
     // Everything at once, without occlusion.
     DrawList all(GpuFrame& gpu, const CullTable& table, const GpuCullScene& scene, const CullRequest& request);
@@ -53,6 +54,8 @@ public:
     DrawList early(GpuFrame& gpu, const CullTable& table, const GpuCullScene& scene, const CullRequest& request);
     DrawList late(GpuFrame& gpu, const CullTable& table, const GpuCullScene& scene, const CullRequest& request,
                   const gl::Texture& pyramid);
+    // What the last frame with late() saw, in this request's view and at its levels.
+    DrawList kept(GpuFrame& gpu, const CullTable& table, const GpuCullScene& scene, const CullRequest& request);
 
     glsl::CullCounts counts() const { return m_counts; } // of a frame a little earlier, so that reading never waits
 
@@ -64,10 +67,11 @@ private:
                  const CullRequest& request);
     void readCounts();
 
-    const gl::Program &m_all, &m_early, &m_late, &m_copy, &m_commands;
+    const gl::Program &m_all, &m_early, &m_late, &m_kept, &m_copy, &m_commands;
     std::array<Pass, 2> m_passes;
     gl::Buffer m_decided, m_seen, m_countsBuffer;
-    std::size_t m_room = 0;      // instances in a list
+    std::size_t m_mostRoom;      // what is more in view than this is left out, and said
+    std::size_t m_room;          // instances in a list
     std::size_t m_slots = 0;     // that m_seen knows
     bool m_warned = false;
 

@@ -40,7 +40,7 @@ void GpuStream::beginFrame()
         frame.chunks.push_back(makeChunk(bytes));
     }
     if (frame.chunks.empty()) frame.chunks.push_back(makeChunk(kFirstChunk));
-    m_used = 0;
+    m_used = m_taken = 0;
 }
 
 void GpuStream::endFrame()
@@ -57,6 +57,7 @@ GpuStream::Piece GpuStream::take(std::size_t bytes)
     }
     Chunk& chunk = chunks.back();
     const Piece piece{chunk.buffer.id(), m_used, {chunk.memory + m_used, bytes}};
+    m_taken += bytes;
     m_used += (bytes + kAlignment - 1) / kAlignment * kAlignment;
     return piece;
 }

@@ -28,6 +28,7 @@ public:
     void beginFrame(); // waits until the GPU has read what was written kFrames ago
     void endFrame();
     Piece take(std::size_t bytes);
+    std::size_t taken() const { return m_taken; } // bytes, of this frame
 
     template <class T>
     Piece put(std::span<const T> values)
@@ -52,6 +53,7 @@ private:
     std::array<Frame, kFrames> m_frames;
     int m_current = 0;
     std::size_t m_used = 0; // of the last chunk
+    std::size_t m_taken = 0;
 };
 
 } // namespace renderer

@@ -66,7 +66,7 @@ ImpostorBaker::ImpostorBaker(ShaderLibrary& shaders)
 ImpostorBaker::Sheet ImpostorBaker::makeSheet(int side, const gl::Texture* depth)
 {
     const auto make = [&](std::string_view label) {
-        return gl::Texture{{.label = label, .size = glm::ivec2{side}, .filter = GL_NEAREST}};
+        return gl::Texture{{.label = label, .size = glm::ivec2{side}, .filter = GL_NEAREST, .target = true}};
     };
     Sheet sheet{.colour = make("impostor sheet colour"), .surface = make("impostor sheet surface"), .framebuffer = {}};
     sheet.framebuffer = gl::Framebuffer{
@@ -76,7 +76,10 @@ ImpostorBaker::Sheet ImpostorBaker::makeSheet(int side, const gl::Texture* depth
 
 void ImpostorBaker::makeSheets()
 {
-    m_depth = gl::Texture{{.label = "impostor sheet depth", .size = glm::ivec2{2 * kSide}, .format = GL_DEPTH_COMPONENT32F}};
+    m_depth = gl::Texture{{.label = "impostor sheet depth",
+                           .size = glm::ivec2{2 * kSide},
+                           .format = GL_DEPTH_COMPONENT32F,
+                           .target = true}};
     for (std::size_t i = 0; i < m_sheets.size(); ++i)
         m_sheets[i] = makeSheet(2 * kSide >> i, i == 0 ? &m_depth : nullptr);
 }

@@ -126,17 +126,20 @@ std::uint64_t InstanceSet::upload(Wanted wanted)
 
 DrawList InstanceSet::draws(GpuStream& stream, const View& view) const
 {
-    cull({.records = m_cullRecords, .models = view.models.cullModels(), .tree = &m_tree}, view.request, m_seen);
-    return makeDrawList(stream, {.models = view.models,
-                                 .seen = m_seen,
-                                 .instances = m_records,
-                                 .blended = view.blended,
-                                 .apart = view.apart,
-                                 .direct = view.direct,
-                                 .recordBuffer = view.direct && m_onGpu ? m_recordBuffer.id() : 0,
-                                 .records = m_cullRecords,
-                                 .eye = view.request.eye,
-                                 .towardSun = view.request.towardSun});
+    const CullScene scene{.records = m_cullRecords, .models = view.models.cullModels(), .tree = &m_tree};
+    const glsl::CullCounts counts = cull(scene, view.request, m_seen);
+    DrawList list = makeDrawList(stream, {.models = view.models,
+                                          .seen = m_seen,
+                                          .instances = m_records,
+                                          .blended = view.blended,
+                                          .apart = view.apart,
+                                          .direct = view.direct,
+                                          .recordBuffer = view.direct && m_onGpu ? m_recordBuffer.id() : 0,
+                                          .records = m_cullRecords,
+                                          .eye = view.request.sortedFor.value_or(view.request.eye),
+                                          .towardSun = view.request.towardSun});
+    list.counts = counts;
+    return list;
 }
 
 } // namespace renderer

@@ -20,6 +20,7 @@ public:
     const glsl::CullRecord& cullRecord(std::uint32_t row) const { return m_cullRecords[row]; }
     const glsl::Instance& record(std::uint32_t row) const { return m_records[row]; }
     std::span<const std::uint32_t> slots() const { return m_slots; } // of the handles, by row
+    const InstanceTree& tree() const { return m_tree; }
 
     std::uint32_t add(std::uint32_t slot); // answers the row, still to be set
     void set(std::uint32_t row, const glsl::Instance& record, const glsl::CullRecord& cullRecord); // keeps the flags
@@ -52,7 +53,7 @@ private:
     std::vector<glsl::CullRecord> m_cullRecords;
     std::vector<std::uint32_t> m_slots;
 
-    io::SceneTree<std::uint32_t> m_tree; // of rows
+    InstanceTree m_tree; // of rows
     bool m_growing = false;
     std::vector<std::uint32_t> m_dirty; // rows, perhaps more than once
     gl::Buffer m_recordBuffer, m_cullBuffer;

@@ -172,9 +172,10 @@ std::uint64_t PlacedModels::uploadInstances(InstanceSet::Wanted wanted)
     return bytes;
 }
 
-void PlacedModels::draws(GpuStream& stream, const CullRequest& request, bool blended, bool apart,
-                         std::vector<DrawList>& lists) const
+glsl::CullCounts PlacedModels::draws(GpuStream& stream, const CullRequest& request, bool blended, bool apart,
+                                     std::vector<DrawList>& lists) const
 {
+    glsl::CullCounts counts{};
     for (const auto& set : m_sets) {
         if (!set || set->instances.size() == 0) continue;
         DrawList list = set->instances.draws(stream, {.models = set->models,
@@ -182,8 +183,18 @@ void PlacedModels::draws(GpuStream& stream, const CullRequest& request, bool ble
                                                       .blended = blended,
                                                       .apart = apart,
                                                       .direct = isDirect()});
+        addTo(counts, list.counts);
         if (list.visible > 0) lists.push_back(std::move(list));
     }
+    return counts;
+}
+
+std::vector<const InstanceTree*> PlacedModels::trees() const
+{
+    std::vector<const InstanceTree*> trees;
+    for (const auto& set : m_sets)
+        if (set) trees.push_back(&set->instances.tree());
+    return trees;
 }
 
 std::size_t PlacedModels::instances() const

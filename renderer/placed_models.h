@@ -48,8 +48,11 @@ public:
     void settle();
     void uploadModels();
     std::uint64_t uploadInstances(InstanceSet::Wanted wanted); // answers the bytes
-    void draws(GpuStream& stream, const CullRequest& request, bool blended, bool apart, std::vector<DrawList>& lists) const;
+    // Adds lists of what is seen; answers the instances that passed each test.
+    glsl::CullCounts draws(GpuStream& stream, const CullRequest& request, bool blended, bool apart,
+                           std::vector<DrawList>& lists) const;
 
+    std::vector<const InstanceTree*> trees() const;
     std::size_t instances() const;
     std::size_t models() const; // held now
     bool blends() const;        // some model has parts that do

@@ -72,7 +72,10 @@ void Renderer::update(const io::Scene& scene, const io::Assets& assets, const io
     if (changes.environment || changes.everything) scenery.environment = scene.environment();
     if (changes.terrain || changes.everything) scenery.terrain.update(scene.terrain(), assets);
     scenery.world.update(scene, assets, changes);
-    if (changes.everything) m_state->thumbnails.forgetAll();
+    if (changes.everything) {
+        m_state->thumbnails.forgetAll();
+        m_state->frozen.reset(); // of another world: the next frame is kept instead
+    }
     for (const io::TemplateId id : changes.templates)
         m_state->thumbnails.forget(id);
 }

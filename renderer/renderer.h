@@ -44,6 +44,8 @@ struct FrameInput {
     std::span<const Ghost> ghosts;
     std::span<const Line> lines;
     bool markers = true;        // draw the boxes of templates without a model
+    // What the first frame with this culled stays culled while the camera flies on; its view is drawn as lines.
+    bool freezeCulling = false;
 };
 
 struct PassTime {
@@ -52,17 +54,29 @@ struct PassTime {
     double gpuMs = 0; // of a frame a little earlier, so that reading it never waits
 };
 
+struct GpuMemory { // bytes
+    std::uint64_t textures = 0, buffers = 0, shadowMaps = 0;
+    std::uint64_t targets = 0; // what passes draw into
+};
+
+// Of instances each test of culling hands on fewer: inside, large, of those not hidden. Where the GPU culls, what it
+// counted is of a frame a little earlier.
 struct FrameStats {
     std::vector<PassTime> passes;
     std::uint64_t drawCalls = 0;           // commands of multi-draws counted one by one
     std::uint64_t trianglesSubmitted = 0;  // all passes
     std::uint64_t trianglesDrawn = 0;      // those of the camera's view
     std::uint64_t instances = 0;           // in the scene
-    std::uint64_t instancesDrawn = 0;      // in the camera's view; where the GPU culls, of a frame a little earlier
-    std::uint64_t instancesInside = 0;     // in the camera's view, however small or hidden; 0: not counted
-    std::uint64_t instancesHidden = 0;     // behind other things
-    std::array<std::uint64_t, 8> trianglesOfLevel{}; // of objects by level of detail, where the CPU culls
+    std::uint64_t instancesDrawn = 0;      // in the camera's view
+    std::uint64_t instancesInside = 0;     // in the camera's view, however small or hidden
+    std::uint64_t instancesLarge = 0;      // of those, large enough to be seen
+    std::uint64_t instancesHidden = 0;     // of those, behind other things
+    bool occlusionTested = false;          // else none are known to be hidden
+    bool cullingFrozen = false;
+    std::array<std::uint64_t, 8> trianglesOfLevel{}; // of objects by level of detail
+    std::uint64_t uploadedBytes = 0;       // what the frame handed to the GPU: records, commands, constants
     std::uint64_t gpuBytes = 0;            // buffers and textures of ours
+    GpuMemory gpuMemory;                   // the same by kind
 };
 
 struct ShaderFault {
@@ -95,7 +109,7 @@ public:
 
     // What the last frame holds, read back (waits for the GPU). Top row first.
     io::Image readPicture();  // RGBA8, as shown
-    io::Image readRadiance(); // RGB F32, scene-linear before exposure and tone mapping
+    io::Image readRadiance(); // RGB F32, scene-linear before exposure and tone mapping; of Show::Final
     std::vector<std::uint32_t> readIds(glm::ivec2 topLeft, glm::ivec2 size); // object ids, 0 none, kTerrainId ground
 
     // A small picture of a model on a plain ground in studio light; kept until the template changes.

@@ -21,6 +21,8 @@ struct Scenery {
 // One frame's camera and light, bound for every pass.
 struct Viewpoint {
     Eye eye;
+    Eye culledFor; // whose culling and levels of detail are drawn: the eye itself, but while they are frozen
+    bool frozen = false;
     glm::dvec3 towardSun{0, 1, 0};
     std::vector<Cascade> cascades; // empty: no shadows
     glsl::View view;

@@ -65,12 +65,12 @@ inline io::Shadows capped(io::Shadows shadows, const Settings& settings)
 
 // What of the frame is shown in place of the finished picture.
 enum class Show {
-    Final, Albedo, Normal, Roughness, Depth, Position, Id, Ao, Shadow, Cascade, Luminance, Wireframe, Lod, Overdraw
+    Final, Albedo, Normal, Roughness, Depth, Position, Id, Ao, Shadow, Cascade, Luminance, Wireframe, Lod, Overdraw, Nodes
 };
 constexpr auto enumNames(Show)
 {
-    return std::array<std::string_view, 14>{"final",  "albedo", "normal",  "roughness", "depth",     "position", "id",
-                                            "ao",     "shadow", "cascade", "luminance", "wireframe", "lod",      "overdraw"};
+    return std::array<std::string_view, 15>{"final",  "albedo",  "normal",    "roughness", "depth", "position", "id",      "ao",
+                                            "shadow", "cascade", "luminance", "wireframe", "lod",   "overdraw", "nodes"};
 }
 
 } // namespace renderer

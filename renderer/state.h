@@ -22,8 +22,11 @@ struct Renderer::State {
 
     Picture render(const FrameInput& in);
     Viewpoint look(const FrameInput& in) const;
+    Occlusion occlusionOf(const Settings& settings) const;
+    std::vector<Line> linesOf(const FrameInput& in, const Viewpoint& viewpoint) const;
     GeometryPass::Drawn drawSurfaces(GpuFrame& gpu, const FrameInput& in, const Viewpoint& viewpoint);
     void count(const GeometryPass::Drawn& drawn);
+    void countMemory();
 
     gl::DebugOutput debug;
     ShaderLibrary shaders;
@@ -47,8 +50,14 @@ struct Renderer::State {
     OverlayPass overlay;
     Thumbnails thumbnails;
 
+    struct Frozen {
+        Eye eye;             // whose culling is kept
+        bool looked = false; // it knows what was hidden
+    };
+    std::optional<Frozen> frozen;
+
     PictureTarget canvas;
-    Radiance* radiance = nullptr; // of the last frame
+    Radiance* radiance = nullptr; // of the last frame, if that has any
 };
 
 } // namespace renderer

@@ -197,24 +197,25 @@ void Terrain::uploadLayers(const io::Terrain& terrain, const io::Assets& assets)
     m_layerImages = std::move(images);
 }
 
-void Terrain::aim(const Eye& eye, double leniency)
+void Terrain::aim(const Eye& eye, const Eye& levelsFor, double leniency)
 {
     m_nodes.clear();
     if (!present()) return;
     const io::HeightMap& map = *m_map;
-    const glm::dvec2 flat{eye.position.x, eye.position.z};
-    const glm::dvec2 inTerrain = flat - map.origin;
+    const auto inTerrain = [&map](const Eye& e) { return glm::dvec2{e.position.x, e.position.z} - map.origin; };
+    const glm::dvec2 levelsFrom = inTerrain(levelsFor);
     const glm::dvec2 reach = glm::dvec2{map.size - 1} * map.metresPerTexel;
-    const glm::dvec2 nearest = map.origin + glm::clamp(inTerrain, glm::dvec2{0}, reach);
+    const glm::dvec2 nearest = map.origin + glm::clamp(levelsFrom, glm::dvec2{0}, reach);
     const double ground = map.height(nearest.x, nearest.y).value_or(map.min);
 
-    const double pixelAngle = 2 * eye.tanHalfFov / eye.size.y;
-    const TerrainTree::Eye treeEye{.texel = inTerrain / map.metresPerTexel,
-                                   .eyeAbove = std::max(eye.position.y - ground, 0.0) / map.metresPerTexel,
-                                   .firstRange = m_tree.firstRange(kErrorPixels * leniency, pixelAngle, map.metresPerTexel)};
+    const TerrainTree::Eye treeEye{
+        .texel = levelsFrom / map.metresPerTexel,
+        .eyeAbove = std::max(levelsFor.position.y - ground, 0.0) / map.metresPerTexel,
+        .firstRange = m_tree.firstRange(kErrorPixels * leniency, pixelAngle(levelsFor), map.metresPerTexel)};
     m_nodes = m_tree.select(treeEye);
 
-    m_block.eyeInTerrain = glm::vec2{inTerrain};
+    m_block.eyeInTerrain = glm::vec2{inTerrain(eye)};
+    m_block.levelsFrom = glm::vec2{levelsFrom};
     m_block.eyeHeight = float(eye.position.y);
     m_block.eyeAbove = float(treeEye.eyeAbove * map.metresPerTexel);
     for (int level = 0; level < TERRAIN_LEVELS; ++level) {

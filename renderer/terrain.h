@@ -15,8 +15,8 @@ public:
     void update(const io::Terrain& terrain, const io::Assets& assets);
     bool present() const { return m_heights.id() != 0; }
 
-    // Chooses the levels of detail for an eye.
-    void aim(const Eye& eye, double leniency = 1); // 1: errors of about a pixel
+    // Chooses the levels of detail that an eye needs, to be seen by another (usually the same).
+    void aim(const Eye& eye, const Eye& levelsFor, double leniency = 1); // 1: errors of about a pixel
 
     // The chosen nodes that a volume (or, without one, everybody) sees; the block and textures are bound.
     struct Draw {

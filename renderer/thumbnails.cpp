@@ -71,8 +71,8 @@ void Thumbnails::resize(int pixels)
 {
     const glm::ivec2 size{pixels * 2};
     if (m_colour.size() == size) return;
-    m_colour = gl::Texture{{.label = "studio", .size = size, .format = GL_RGBA16F, .filter = GL_NEAREST}};
-    m_depth = gl::Texture{{.label = "studio depth", .size = size, .format = GL_DEPTH_COMPONENT32F}};
+    m_colour = gl::Texture{{.label = "studio", .size = size, .format = GL_RGBA16F, .filter = GL_NEAREST, .target = true}};
+    m_depth = gl::Texture{{.label = "studio depth", .size = size, .format = GL_DEPTH_COMPONENT32F, .target = true}};
     m_framebuffer = gl::Framebuffer{{.label = "studio", .colours = {&m_colour}, .depth = &m_depth}};
 }
 

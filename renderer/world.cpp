@@ -189,14 +189,24 @@ void World::upload(bool culledThere)
     m_uploadedBytes += m_direct.uploadInstances({.records = true});
 }
 
-void World::batchedDraws(GpuStream& stream, const CullRequest& request, bool blended, std::vector<DrawList>& lists) const
+glsl::CullCounts World::batchedDraws(GpuStream& stream, const CullRequest& request, bool blended,
+                                     std::vector<DrawList>& lists) const
 {
-    m_batched.draws(stream, request, blended, m_direct.blends(), lists);
+    return m_batched.draws(stream, request, blended, m_direct.blends(), lists);
 }
 
-void World::directDraws(GpuStream& stream, const CullRequest& request, bool blended, std::vector<DrawList>& lists) const
+glsl::CullCounts World::directDraws(GpuStream& stream, const CullRequest& request, bool blended,
+                                    std::vector<DrawList>& lists) const
 {
-    m_direct.draws(stream, request, blended, m_direct.blends(), lists);
+    return m_direct.draws(stream, request, blended, m_direct.blends(), lists);
+}
+
+std::vector<const InstanceTree*> World::trees() const
+{
+    std::vector<const InstanceTree*> trees = m_batched.trees();
+    const std::vector<const InstanceTree*> direct = m_direct.trees();
+    trees.insert(trees.end(), direct.begin(), direct.end());
+    return trees;
 }
 
 io::WorldBox World::boundsOf(std::span<const io::ObjectId> ids) const

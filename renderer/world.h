@@ -26,9 +26,10 @@ public:
     void upload(bool culledThere);                  // what changed since the last call; spheres where the GPU culls
 
     // Draws for all that `request` lets through: one list, and one for each direct model of which something is seen.
-    void batchedDraws(GpuStream& stream, const CullRequest& request, bool blended, std::vector<DrawList>& lists) const;
-    void directDraws(GpuStream& stream, const CullRequest& request, bool blended, std::vector<DrawList>& lists) const;
+    glsl::CullCounts batchedDraws(GpuStream& stream, const CullRequest& request, bool blended, std::vector<DrawList>& lists) const;
+    glsl::CullCounts directDraws(GpuStream& stream, const CullRequest& request, bool blended, std::vector<DrawList>& lists) const;
 
+    std::vector<const InstanceTree*> trees() const; // that hold everything
     GpuCullScene gpuScene() const { return m_batched.gpuScene(); }
 
     const ModelLibrary& sharedModels() const { return m_batched.shared(); }

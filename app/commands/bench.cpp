@@ -4,6 +4,7 @@
 #include "app/opened.h"
 #include "app/report.h"
 #include "app/studio.h"
+#include "editor/memory.h"
 #include "renderer/device.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <map>
-#include <set>
 #include <string>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -87,7 +87,9 @@ void keep(Measured& measured, const renderer::FrameStats& stats)
     count("instances", stats.instances);
     count("instances_drawn", stats.instancesDrawn);
     count("instances_inside", stats.instancesInside);
+    count("instances_large", stats.instancesLarge);
     count("instances_hidden", stats.instancesHidden);
+    count("uploaded_bytes", stats.uploadedBytes);
     count("gpu_mb", stats.gpuBytes >> 20);
     measured.levels.resize(stats.trianglesOfLevel.size());
     for (std::size_t level = 0; level < measured.levels.size(); ++level)
@@ -177,36 +179,19 @@ io::Value figuresOf(const Measured& measured)
     return figures;
 }
 
-double megabytes(const auto& values)
+io::Value memoryOf(const editor::Document& document, const renderer::FrameStats& stats)
 {
-    return double(std::size(values) * sizeof(*std::data(values))) / 1e6;
-}
-
-// What the open world holds outside of the renderer, by kind.
-io::Value memoryOf(const editor::Document& document)
-{
-    constexpr double kIndexed = 40; // bytes that finding an object by its id takes
-    double geometry = 0, pictures = 0;
-    std::set<const void*> counted; // models and pictures that several share
-    const auto addPicture = [&](const std::shared_ptr<const io::Image>& image) {
-        if (image && counted.insert(image.get()).second) pictures += megabytes(image->bytes);
-    };
-    for (const auto& model : document.assets().models) {
-        if (!model || !counted.insert(model.get()).second) continue;
-        geometry += megabytes(model->vertices) + megabytes(model->indices);
-        for (const io::Level& level : model->levels)
-            geometry += megabytes(level.indices);
-        for (const auto& image : model->images)
-            addPicture(image);
-    }
-    for (const io::LayerImages& layer : document.assets().layers)
-        for (const auto& image : {layer.colour, layer.normal})
-            addPicture(image);
-    const auto objects = document.scene().objects();
-    return io::Value::Object{{"objects", megabytes(objects) + double(objects.size()) * kIndexed / 1e6},
-                             {"geometry", geometry},
-                             {"pictures", pictures},
-                             {"heights", document.assets().heights ? megabytes(document.assets().heights->metres) : 0.0}};
+    const editor::WorldMemory world = editor::memoryOf(document);
+    const auto megabytes = [](std::uint64_t bytes) { return double(bytes) / 1e6; };
+    return io::Value::Object{{"objects", megabytes(world.objects)},
+                             {"geometry", megabytes(world.geometry)},
+                             {"pictures", megabytes(world.pictures)},
+                             {"heights", megabytes(world.heights)},
+                             {"gpu", megabytes(stats.gpuBytes)},
+                             {"gpu_textures", megabytes(stats.gpuMemory.textures)},
+                             {"gpu_buffers", megabytes(stats.gpuMemory.buffers)},
+                             {"gpu_shadow_maps", megabytes(stats.gpuMemory.shadowMaps)},
+                             {"gpu_targets", megabytes(stats.gpuMemory.targets)}};
 }
 
 void print(const io::Value& figures)
@@ -249,9 +234,7 @@ int bench(const Options& options)
     figures["first_frame_at_ms"] = firstFrameAt;
     figures["first_frame_processor_ms"] = firstFrameProcessor;
     figures["peak_rss_mb"] = peakMegabytes();
-    io::Value memory = memoryOf(*document);
-    memory["gpu"] = double(renderer.stats().gpuBytes) / 1e6;
-    figures["memory_mb"] = std::move(memory);
+    figures["memory_mb"] = memoryOf(*document, renderer.stats());
     figures["gl_renderer"] = renderer.deviceName();
     figures["size"] = io::Value::Array{options.size.x, options.size.y};
     if (options.json != "-") print(figures);

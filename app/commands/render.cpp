@@ -54,15 +54,21 @@ io::Result<std::vector<Shot>> shotsOf(const Options& options, const editor::Docu
     return shots;
 }
 
+renderer::FrameInput frameOf(const Options& options, const renderer::Settings& drawing, const io::Camera& camera, double time)
+{
+    return {.camera = camera,
+            .size = options.size,
+            .settings = drawing,
+            .show = options.show,
+            .time = time,
+            .markers = options.show != renderer::Show::Final, // aids to editing, no part of the world
+            .freezeCulling = options.cullFrom.has_value()};
+}
+
 io::Status draw(renderer::Renderer& renderer, const Shot& shot, const renderer::Settings& drawing,
                 const Options& options)
 {
-    renderer.render({.camera = shot.camera,
-                     .size = options.size,
-                     .settings = drawing,
-                     .show = options.show,
-                     .time = shot.time,
-                     .markers = options.show != renderer::Show::Final}); // aids to editing, no part of the world
+    renderer.render(frameOf(options, drawing, shot.camera, shot.time));
     return io::writeImage(shot.file, isRadiance(shot.file) ? renderer.readRadiance() : renderer.readPicture());
 }
 
@@ -99,6 +105,7 @@ int render(const Options& options)
     if (const int code = applyToDrawing(options, drawing)) return code;
     (*studio)->follow(*document);
 
+    if (options.cullFrom) renderer.render(frameOf(options, drawing, *options.cullFrom, 0)); // and stays culled so
     const auto start = std::chrono::steady_clock::now();
     const io::Progress progress = progressOnStderr(options.quiet);
     for (std::size_t i = 0; i < shots->size(); ++i) {

@@ -35,13 +35,15 @@ public:
         const auto names = enumNames(renderer::Show{});
         const auto show = std::ranges::find(names, request.show);
         if (show == names.end()) return io::Error{"show", fmt::format("is one of {}", fmt::join(names, " "))};
+        const bool radiance = request.out.extension() == ".exr";
+        if (radiance && request.show != "final")
+            return io::Error{"show", "goes into .png or .jpg; .exr holds the radiance of the final picture"};
         if (io::Status ready = prepare(); !ready) return ready;
         renderer::Renderer& renderer = m_studio->renderer();
         renderer.render({.camera = request.view.camera,
                          .size = request.view.size,
                          .settings = m_drawing,
                          .show = renderer::Show(show - names.begin())});
-        const bool radiance = request.out.extension() == ".exr";
         return io::writeImage(request.out, radiance ? renderer.readRadiance() : renderer.readPicture());
     }
 

@@ -70,8 +70,10 @@ void StatisticsPanel::figures(Editor& editor)
             {"statistics.submitted", grouped(stats.trianglesSubmitted)},
             {"statistics.instances", grouped(stats.instances)},
             {"statistics.inside", grouped(stats.instancesInside)},
-            {"statistics.hidden", grouped(stats.instancesHidden)},
+            {"statistics.large", grouped(stats.instancesLarge)},
+            {"statistics.hidden", stats.occlusionTested ? grouped(stats.instancesHidden) : tr("statistics.not_tested")},
             {"statistics.instances_drawn", grouped(stats.instancesDrawn)},
+            {"statistics.uploaded", byteText(stats.uploadedBytes)},
             {"statistics.gpu_memory", byteText(stats.gpuBytes)}};
         for (const auto& [key, value] : all)
             nextFigure(), figure(key, value);

@@ -39,6 +39,7 @@ public:
         std::uint32_t below = 0;     // items in it and below
         int depth = 0;               // 0: the root
         bool leaf = true;
+        int children = 0; // 2 above one another, 4 beside one another, 8 both
     };
 
     static constexpr double kReach = 0x1p40;      // m; boxes beyond are refused

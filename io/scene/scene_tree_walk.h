@@ -6,7 +6,12 @@ namespace io {
 template <TreeKey Value> typename SceneTree<Value>::Node SceneTree<Value>::shown(std::uint32_t node, int depth) const
 {
     const Cell& cell = m_nodes[node];
-    return {.box = cell.box, .items = cell.run.all(), .below = cell.below, .depth = depth, .leaf = cell.split == kLeaf};
+    return {.box = cell.box,
+            .items = cell.run.all(),
+            .below = cell.below,
+            .depth = depth,
+            .leaf = cell.split == kLeaf,
+            .children = int(childCount(cell.split))};
 }
 
 // The children that hold something, in the order in which they are to be seen.

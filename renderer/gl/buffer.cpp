@@ -6,7 +6,7 @@
 
 namespace renderer::gl {
 
-Buffer::Buffer(std::string_view label, std::size_t bytes, GLbitfield flags) : m_footprint{bytes}, m_bytes{bytes}
+Buffer::Buffer(std::string_view label, std::size_t bytes, GLbitfield flags) : m_footprint{MemoryKind::Buffers, bytes}, m_bytes{bytes}
 {
     EXPECTS(bytes > 0);
     GLuint id = 0;

@@ -1,9 +1,11 @@
 // Owner of one OpenGL name. Moves are written once, here; every class above it follows the rule of zero.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <epoxy/gl.h>
 #include <new>
+#include <numeric>
 #include <utility>
 
 namespace renderer::gl {
@@ -35,23 +37,28 @@ inline void expectMemory()
     if (glGetError() == GL_OUT_OF_MEMORY) throw std::bad_alloc{};
 }
 
+enum class MemoryKind { Buffers, Textures, ShadowMaps, Targets }; // targets: what passes draw into
+
 // Counts the bytes of a buffer or texture for as long as it lives.
 class Footprint {
 public:
     Footprint() = default;
-    explicit Footprint(std::uint64_t bytes) : m_bytes{bytes} { s_total += bytes; }
-    Footprint(Footprint&& other) noexcept : m_bytes{std::exchange(other.m_bytes, 0)} {}
+    Footprint(MemoryKind kind, std::uint64_t bytes) : m_kind{kind}, m_bytes{bytes} { s_totals[std::size_t(kind)] += bytes; }
+    Footprint(Footprint&& other) noexcept : m_kind{other.m_kind}, m_bytes{std::exchange(other.m_bytes, 0)} {}
     Footprint& operator=(Footprint other) noexcept
     {
+        std::swap(m_kind, other.m_kind);
         std::swap(m_bytes, other.m_bytes);
         return *this;
     }
-    ~Footprint() { s_total -= m_bytes; }
-    static std::uint64_t total() { return s_total; }
+    ~Footprint() { s_totals[std::size_t(m_kind)] -= m_bytes; }
+    static std::uint64_t total(MemoryKind kind) { return s_totals[std::size_t(kind)]; }
+    static std::uint64_t total() { return std::accumulate(s_totals.begin(), s_totals.end(), std::uint64_t(0)); }
 
 private:
+    MemoryKind m_kind = MemoryKind::Buffers;
     std::uint64_t m_bytes = 0;
-    inline static std::uint64_t s_total = 0; // GL lives on the main thread
+    inline static std::array<std::uint64_t, 4> s_totals{}; // GL lives on the main thread
 };
 
 } // namespace renderer::gl

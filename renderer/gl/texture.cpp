@@ -30,6 +30,12 @@ std::uint64_t bytesOf(const TextureDesc& desc)
     return texels * bytesPerTexel(desc.format) * std::max(desc.layers, 1);
 }
 
+MemoryKind kindOf(const TextureDesc& desc)
+{
+    if (desc.compare) return MemoryKind::ShadowMaps;
+    return desc.target ? MemoryKind::Targets : MemoryKind::Textures;
+}
+
 // Software GL pays for every sample: it goes without anisotropy, and takes the nearest mip.
 float anisotropy()
 {
@@ -67,7 +73,7 @@ int fullMipCount(glm::ivec2 size)
 }
 
 Texture::Texture(const TextureDesc& desc)
-    : m_footprint{bytesOf(desc)}, m_size{desc.size}, m_layers{desc.layers}, m_mips{desc.mips}, m_format{desc.format}
+    : m_footprint{kindOf(desc), bytesOf(desc)}, m_size{desc.size}, m_layers{desc.layers}, m_mips{desc.mips}, m_format{desc.format}
 {
     EXPECTS(desc.size.x > 0 && desc.size.y > 0);
     GLuint id = 0;

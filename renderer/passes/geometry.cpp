@@ -31,7 +31,7 @@ void GeometryPass::resize(glm::ivec2 size)
 {
     if (m_targets.depth.size() == size) return;
     const auto make = [&](std::string_view label, GLenum format) {
-        return gl::Texture{{.label = label, .size = size, .format = format, .filter = GL_NEAREST}};
+        return gl::Texture{{.label = label, .size = size, .format = format, .filter = GL_NEAREST, .target = true}};
     };
     m_targets = {.colour = make("gbuffer colour", GL_RGBA8),
                  .normal = make("gbuffer normal", GL_RG16_SNORM),

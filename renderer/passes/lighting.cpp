@@ -31,7 +31,8 @@ void LightingPass::resize(const GBuffer& surfaces)
 {
     if (m_depth == surfaces.depth.id() && m_radiance.texture.size() == surfaces.depth.size()) return;
     m_depth = surfaces.depth.id();
-    m_radiance.texture = gl::Texture{{.label = "radiance", .size = surfaces.depth.size(), .format = GL_RGBA16F}};
+    m_radiance.texture =
+        gl::Texture{{.label = "radiance", .size = surfaces.depth.size(), .format = GL_RGBA16F, .target = true}};
     m_radiance.framebuffer =
         gl::Framebuffer{{.label = "radiance", .colours = {&m_radiance.texture}, .depth = &surfaces.depth}};
 }
@@ -46,6 +47,12 @@ Radiance& LightingPass::render(GpuFrame& gpu, const GBuffer& surfaces, const Vie
     if (viewpoint.light.fogDensity > 0) defines.emplace_back("FOG");
     gpu.fullScreen(m_shaders.fullScreen("lighting", std::move(defines)),
                    {.depthTest = kWhereSurfacesAre}, {});
+    return m_radiance;
+}
+
+Radiance& LightingPass::unlit(const GBuffer& surfaces)
+{
+    resize(surfaces);
     return m_radiance;
 }
 

@@ -14,6 +14,7 @@ class LightingPass {
 public:
     explicit LightingPass(ShaderLibrary& shaders);
     Radiance& render(GpuFrame& gpu, const GBuffer& surfaces, const Viewpoint& viewpoint, const Settings& settings);
+    Radiance& unlit(const GBuffer& surfaces); // whatever it holds
 
 private:
     void resize(const GBuffer& surfaces);

@@ -8,7 +8,7 @@ namespace renderer {
 void PictureTarget::resize(std::string_view label, glm::ivec2 size)
 {
     if (texture.size() == size) return;
-    texture = gl::Texture{{.label = label, .size = size, .format = GL_RGBA8}};
+    texture = gl::Texture{{.label = label, .size = size, .format = GL_RGBA8, .target = true}};
     glTextureParameteri(texture.id(), GL_TEXTURE_SWIZZLE_A, GL_ONE); // whoever shows it in a panel sees it opaque
     framebuffer = gl::Framebuffer{{.label = label, .colours = {&texture}}};
 }
@@ -83,13 +83,13 @@ void ShowPass::render(GpuFrame& gpu, PictureTarget& canvas, Show show, const Rad
         gpu.constants(PASS_BINDING, glm::vec4{1});
         drawAgain(gpu, scenery, drawn, {.blend = gl::Blend::Add}, false);
     }
-    const bool overBackdrop = show == Show::Wireframe || show == Show::Lod;
+    const bool overBackdrop = show == Show::Wireframe || show == Show::Lod || show == Show::Nodes;
     std::vector<std::string> defines{"MODE " + std::to_string(overBackdrop ? int(Show::Wireframe) : int(show))};
     if (!viewpoint.cascades.empty()) defines.emplace_back("SHADOWS");
     canvas.framebuffer.bind();
     surfaces.bind(gpu);
     gpu.fullScreen(m_shaders.fullScreen("show", std::move(defines)), {}, {{IMAGE_UNIT, &radiance.texture}});
-    if (!overBackdrop) return;
+    if (!overBackdrop || show == Show::Nodes) return; // lines come over it
 
     if (m_canvas != canvas.texture.id() || m_depth != surfaces.depth.id()) {
         m_withDepth = gl::Framebuffer{{.label = "picture with depth", .colours = {&canvas.texture}, .depth = &surfaces.depth}};

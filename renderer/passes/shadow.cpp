@@ -116,7 +116,7 @@ void ShadowPass::draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoin
                               .errorLength = settings.lod ? float(cascade.texel) * kErrorTexels : 0.0f,
                               .impostors = true,
                               .required = CULL_CASTS_SHADOW};
-    const std::vector<DrawList> lists = nextChooser().choose(gpu, scenery, request, settings, false);
+    const std::vector<DrawList> lists = nextChooser().choose(gpu, scenery, request, settings, Occlusion::Off);
 
     glEnable(GL_SCISSOR_TEST);
     glScissor(piece.at.x, piece.at.y, piece.size.x, piece.size.y);

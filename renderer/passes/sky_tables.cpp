@@ -28,7 +28,7 @@ bool sameHeight(const glsl::Atmosphere& a, const glsl::Atmosphere& b)
 SkyTables::Target SkyTables::makeTarget(std::string_view label, glm::ivec2 size)
 {
     Target target;
-    target.texture = gl::Texture{{.label = label, .size = size, .format = GL_RGBA32F}};
+    target.texture = gl::Texture{{.label = label, .size = size, .format = GL_RGBA32F, .target = true}};
     target.framebuffer = gl::Framebuffer{{.label = label, .colours = {&target.texture}}};
     return target;
 }
@@ -46,7 +46,7 @@ SkyTables::SkyTables(ShaderLibrary& shaders)
                                    .size = glm::ivec2{kNoiseSize},
                                    .mips = gl::fullMipCount(glm::ivec2{kNoiseSize}),
                                    .wrap = GL_REPEAT}};
-    m_cloudMap.texture = gl::Texture{{.label = "cloud shadows", .size = glm::ivec2{CLOUD_MAP_SIZE}, .format = GL_R8}};
+    m_cloudMap.texture = gl::Texture{{.label = "cloud shadows", .size = glm::ivec2{CLOUD_MAP_SIZE}, .format = GL_R8, .target = true}};
     m_cloudMap.framebuffer = gl::Framebuffer{{.label = "cloud shadows", .colours = {&m_cloudMap.texture}}};
     m_noise.framebuffer = gl::Framebuffer{{.label = "noise", .colours = {&m_noise.texture}}};
 }

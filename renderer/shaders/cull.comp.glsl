@@ -1,7 +1,7 @@
 // Culling on the GPU, once per view: which instances are seen, at which level of detail. The first pass decides and
 // counts what falls into each bin; once the bins have their places, the second copies the records there.
 // Two-pass occlusion after Haar and Aaltonen, "GPU-Driven Rendering Pipelines" (2015): EARLY draws what was seen in the
-// last frame, LATE tests everything against the depth of that.
+// last frame, LATE tests everything against the depth of that. KEPT draws what was seen, whoever looks now.
 #include "shared/bindings.h"
 #include "shared/culling.h"
 #include "shared/instance.h"
@@ -67,17 +67,19 @@ void main()
     uint decision = 0u;
     bool inside = wanted(r, cull) && insidePlanes(r, cull);
     bool large = inside && largeEnough(r, cull);
-#ifdef EARLY
-    bool draw = large && seen[slot] != 0u;
+#if defined(EARLY) || defined(KEPT)
+    bool shown = large && seen[slot] != 0u;
+    bool draw = shown;
 #elif defined(LATE)
     bool shown = large && !hidden(r);
     bool draw = shown && seen[slot] == 0u;
     seen[slot] = shown ? 1u : 0u;
-    if (large && !shown) atomicAdd(counts.hidden, 1u);
 #else
+    bool shown = large;
     bool draw = large;
 #endif
 #ifndef EARLY
+    if (large && !shown) atomicAdd(counts.hidden, 1u);
     if (inside) atomicAdd(counts.inside, 1u);
     if (large) atomicAdd(counts.large, 1u);
 #endif

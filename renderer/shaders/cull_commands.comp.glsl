@@ -28,7 +28,7 @@ void main()
             sums[i] = total;
             total += own;
         }
-        counts.copies = total;
+        counts.copies = max(counts.copies, total); // of both lists of a frame
     }
     barrier();
     uint place = sums[thread];
@@ -43,8 +43,10 @@ void main()
     for (uint i = thread; i < sizes.y; i += 256u) {
         CullPart part = parts[i];
         uint first = bins[part.bin].first;
+        uint instances = bins[part.bin].end - first;
+        if (instances > 0u) atomicAdd(counts.triangles[part.level], instances * (part.indexCount / 3u));
         commands[i * 5u] = part.indexCount;
-        commands[i * 5u + 1u] = bins[part.bin].end - first;
+        commands[i * 5u + 1u] = instances;
         commands[i * 5u + 2u] = part.firstIndex;
         commands[i * 5u + 3u] = 0u;
         commands[i * 5u + 4u] = first;

@@ -64,7 +64,7 @@ void main()
     shown = beyond ? grey : grey * tints[cascadeAt(viewDepth, 0.0)];
 #elif MODE == 10 // luminance: heat over 16 stops around middle grey
     shown = heat((log2(max(luminance(lit.rgb) * view.exposure, 1e-9) / 0.18) + 8.0) / 16.0);
-#elif MODE == 11 // backdrop of wireframe and lod
+#elif MODE == 11 // backdrop of wireframe, lod and nodes
     shown = encodeSrgb(toneMap(TONE_AGX, lit.rgb * view.exposure)) * 0.45;
 #elif MODE == 13 // overdraw: surfaces a pixel, white from 20
     shown = heat(lit.r / 20.0);

@@ -23,7 +23,7 @@ float heightAt(vec2 texel)
 void main()
 {
     vec2 own = min(inPatch.xy + inGrid * inPatch.z, terrain.lastTexel);
-    vec2 fromEye = own * terrain.metres - terrain.eyeInTerrain;
+    vec2 fromEye = own * terrain.metres - terrain.levelsFrom;
     float distance_ = sqrt(dot(fromEye, fromEye) + terrain.eyeAbove * terrain.eyeAbove);
     vec4 morph = terrain.morph[int(inPatch.w)];
     float k = clamp((distance_ - morph.x) * morph.y, 0.0, 1.0);

@@ -156,7 +156,8 @@ TEST_F(Commands, benchReportsEveryFigure)
     const io::Value figures = json(ran.out);
     for (const char* key :
          {"median_ms", "p95_ms", "p99_ms", "load_ms", "first_frame_ms", "draw_calls", "triangles_submitted",
-          "triangles_drawn", "instances", "instances_drawn", "grass_blades", "peak_rss_mb", "processor_ms", "submit_ms"})
+          "triangles_drawn", "instances", "instances_inside", "instances_large", "instances_hidden",
+          "instances_drawn", "grass_blades", "peak_rss_mb", "processor_ms", "submit_ms"})
         EXPECT_GE(number(figures, key), 0) << key;
     EXPECT_EQ(figures.find("frames_ms")->asArray()->size(), 5u);
     EXPECT_EQ(number(figures, "instances"), 6);
@@ -164,9 +165,11 @@ TEST_F(Commands, benchReportsEveryFigure)
     EXPECT_GT(number(figures, "peak_rss_mb"), 10);
     EXPECT_GT(number(figures, "first_frame_at_ms") + 10, number(figures, "load_ms") + number(figures, "first_frame_ms"));
     EXPECT_LT(number(figures, "first_frame_at_ms"), 300'000);
-    for (const char* kind : {"objects", "geometry", "pictures", "heights", "gpu"})
+    for (const char* kind : {"objects", "geometry", "pictures", "heights", "gpu", "gpu_textures", "gpu_buffers", "gpu_shadow_maps",
+                             "gpu_targets"})
         EXPECT_GE(number(*figures.find("memory_mb"), kind), 0) << kind;
     EXPECT_GT(number(*figures.find("memory_mb"), "geometry"), 0);
+    EXPECT_GT(number(figures, "uploaded_bytes"), 1000) << "constants, at least";
     EXPECT_FALSE(figures.find("passes")->asArray()->empty());
     EXPECT_FALSE(text(figures, "gl_renderer").empty());
 }

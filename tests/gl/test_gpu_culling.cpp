@@ -1,23 +1,14 @@
 // Culling on the GPU gives the CPU's answer, and what it knows beyond that, of things behind others, hides nothing seen.
 #include "renderer/choosing.h"
-#include "tests/gl/support/shared_renderer.h"
+#include "tests/gl/support/culling_oracle.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
-#include <set>
 
 namespace {
 
 constexpr glm::ivec2 kSize{320, 180};
-
-io::Camera cameraIn(const test::TestWorld& world, std::mt19937& random)
-{
-    std::uniform_real_distribution<double> place{-220, 220}, turn{-180, 180}, tilt{-40, 15}, above{1.5, 25};
-    io::Camera camera{.eye = {place(random), 0, place(random)}, .yaw = float(turn(random)), .pitch = float(tilt(random))};
-    camera.eye.y = world.assets.heights->height(camera.eye.x, camera.eye.z).value_or(0) + above(random);
-    return camera;
-}
 
 // Counts are of a frame a little earlier.
 void renderUntilCounted(const renderer::FrameInput& in)
@@ -26,21 +17,13 @@ void renderUntilCounted(const renderer::FrameInput& in)
         test::shared().render(in);
 }
 
-// Ids that own a pixel.
-std::set<std::uint32_t> seen(const renderer::FrameInput& in)
-{
-    test::shared().render(in);
-    const auto ids = test::shared().readIds({0, 0}, in.size);
-    return {ids.begin(), ids.end()};
-}
-
 TEST(GpuCulling, DrawsThePictureThatTheCpuDraws)
 {
     test::TestWorld world = test::makeWorld({.heightMap = {257, 257}, .trees = 400, .boxes = 80});
     test::load(world);
     std::mt19937 random{3};
     for (int i = 0; i < 8; ++i) {
-        renderer::FrameInput in = test::frame(kSize, cameraIn(world, random));
+        renderer::FrameInput in = test::frame(kSize, test::cameraIn(world, random));
         in.settings.occlusion = false;
         in.settings.culler = renderer::Culler::Cpu;
         test::shared().render(in);
@@ -57,23 +40,23 @@ TEST(GpuCulling, DrawsThePictureThatTheCpuDraws)
     EXPECT_EQ(test::shared().glErrors(), 0u);
 }
 
-TEST(GpuCulling, NothingSeenIsMissingAtAnyWindowSize)
+// The same for many more cameras: tests/bench/culling_oracle.
+TEST(CullingOracle, NothingSeenIsMissingAtAnyWindowSize)
 {
-    test::TestWorld world = test::makeWorld({.heightMap = {257, 257}, .trees = 3000, .boxes = 300});
-    test::load(world);
-    std::mt19937 random{17};
-    for (const glm::ivec2 size : {glm::ivec2{320, 180}, glm::ivec2{213, 119}, glm::ivec2{55, 129}})
-        for (int i = 0; i < 6; ++i) {
-            renderer::FrameInput in = test::frame(size, cameraIn(world, random));
-            in.settings.shadows = false;
-            in.settings.culler = renderer::Culler::Gpu;
-            const std::set<std::uint32_t> culled = seen(in); // just after a cut
-            const std::set<std::uint32_t> again = seen(in);  // with what this camera saw before
-            in.settings.culling = false;
-            const std::set<std::uint32_t> all = seen(in);
-            EXPECT_TRUE(std::ranges::includes(culled, all)) << size.x << " camera " << i;
-            EXPECT_TRUE(std::ranges::includes(again, all)) << size.x << " camera " << i;
-        }
+    const test::TestWorld trees = test::makeWorld({.heightMap = {257, 257}, .trees = 3000, .boxes = 300});
+    for (test::TestWorld world : {trees, test::oracleWorld(3000)}) {
+        test::load(world);
+        std::mt19937 random{17};
+        test::OracleCounts counts;
+        for (const glm::ivec2 size : {glm::ivec2{320, 180}, glm::ivec2{213, 119}, glm::ivec2{55, 129}})
+            for (int i = 0; i < 6; ++i)
+                test::askOracle(test::cameraIn(world, random), size, counts);
+        EXPECT_GT(counts.ids, 500u);
+        EXPECT_EQ(counts.cpuMissing, 0u);
+        EXPECT_EQ(counts.gpuCutMissing, 0u);
+        EXPECT_EQ(counts.gpuMissing, 0u);
+        EXPECT_LT(counts.gpuDrawn, counts.drawn) << "what stands behind others is left out";
+    }
     EXPECT_EQ(test::shared().glErrors(), 0u);
 }
 

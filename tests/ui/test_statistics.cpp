@@ -1,6 +1,8 @@
 // Statistics over the picture, what they are made of, and how coarse a moving picture is drawn.
 #include "editor/frame_history.h"
 #include "editor/resolution.h"
+#include "editor/statistics_overlay.h"
+#include "editor/ui_map.h"
 #include "tests/ui/support/rig.h"
 
 #include <gtest/gtest.h>
@@ -47,10 +49,55 @@ TEST(Statistics, LieOverThePictureByKeyAndMenu)
     rig.key({.key = Key::F3});
     EXPECT_TRUE(rig.has("CPU ms", "timeline"));
     EXPECT_TRUE(rig.has("GPU ms", "timeline"));
-    EXPECT_TRUE(rig.has("Behind others", "statistic"));
+    for (const char* test : {"Inside the view", "Large enough", "Not behind others", "Drawn", "GPU memory", "Pictures, heights"})
+        EXPECT_TRUE(rig.has(test, "statistic")) << test;
+    EXPECT_FALSE(rig.has("Culling", "statistic"));
     rig.click("View", "menu");
     rig.click("Statistics", "menu item");
     EXPECT_FALSE(rig.has("CPU ms", "timeline"));
+}
+
+TEST(FreezeCulling, IsSwitchedByKeyAndMenuAndEndsWithTheWorld)
+{
+    Rig rig;
+    rig.key({.key = Key::F4});
+    EXPECT_TRUE(rig.editor->viewport().freezeCulling);
+    rig.click("View", "menu");
+    rig.click("Freeze culling", "menu item");
+    EXPECT_FALSE(rig.editor->viewport().freezeCulling);
+    rig.key({.key = Key::F4});
+    rig.editor->adopt(crates(2));
+    EXPECT_FALSE(rig.editor->viewport().freezeCulling);
+}
+
+TEST(FreezeCulling, IsSaidInTheStatistics)
+{
+    Rig rig;
+    const renderer::FrameStats frozen{.instances = 9, .instancesInside = 4, .instancesLarge = 3, .cullingFrozen = true};
+    ImGui::NewFrame();
+    editor::clearMap();
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize({700, 700});
+    ImGui::Begin("##over");
+    editor::statisticsOverlay({}, frozen, {}, {0, 0}, {700, 700});
+    ImGui::End();
+    ImGui::Render();
+    EXPECT_EQ(*rig.value("Culling", "statistic").asString(), "frozen");
+    EXPECT_EQ(*rig.value("Inside the view", "statistic").asString(), "4 of 9");
+    EXPECT_EQ(*rig.value("Large enough", "statistic").asString(), "3 of 4");
+    EXPECT_EQ(*rig.value("Not behind others", "statistic").asString(), "not tested");
+}
+
+TEST(TreeNodes, AreShownByKeyAndMenu)
+{
+    Rig rig;
+    rig.key({.key = Key::F6});
+    EXPECT_EQ(rig.editor->show, renderer::Show::Nodes);
+    rig.key({.key = Key::F6});
+    EXPECT_EQ(rig.editor->show, renderer::Show::Final);
+    rig.click("View", "menu");
+    rig.click("Nodes of the scene tree", "menu item", "menu");
+    EXPECT_EQ(rig.editor->show, renderer::Show::Nodes);
 }
 
 TEST(Resolution, GoesDownUntilTheRateIsHeldAndComesBack)

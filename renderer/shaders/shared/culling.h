@@ -47,15 +47,16 @@ struct CullBin { // counted, then given a place
 SHARED_STRUCT_END(CullBin, 16)
 
 struct CullPart { // of a mesh, drawn with its bin
-    uint firstIndex, indexCount, bin, unused;
+    uint firstIndex, indexCount, bin, level;
 };
 SHARED_STRUCT_END(CullPart, 16)
 
-struct CullCounts { // instances: inside the view, of those large enough, hidden, drawn; entries with both of what fades
+struct CullCounts { // instances: inside the view, of those large enough, of those hidden; drawn
     uint inside, large, hidden, drawn;
-    uint copies, unused0, unused1, unused2;
+    uint copies, unused0, unused1, unused2; // entries of the longest list, with both of what fades
+    uint triangles[MOST_LEVELS]; // drawn; std430 alone
 };
-SHARED_STRUCT_END(CullCounts, 32)
+SHARED_STRUCT_END(CullCounts, 64)
 
 // Levels fade into one another over this share of the distance from which the coarser one will do.
 #define LEVEL_FADE 0.08f

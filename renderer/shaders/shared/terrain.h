@@ -27,9 +27,9 @@ struct TerrainLayer {
 SHARED_STRUCT_END(TerrainLayer, 80)
 
 struct Terrain {
-    vec2 lastTexel;   float metres;     float eyeAbove; // size - 1; m per texel; m, of the eye over the ground
+    vec2 lastTexel;   float metres;     float eyeAbove; // size - 1; m per texel; m, of that eye over the ground
     vec2 eyeInTerrain; vec2 texelSize;  // eye from the origin, m; 1 / size
-    float eyeHeight;  int layers; float unused0; float unused1; // m
+    float eyeHeight;  int layers; vec2 levelsFrom; // m; from the origin, m: the eye that the levels are chosen for
     vec4 morph[TERRAIN_LEVELS];         // x: distance where it begins, y: 1 / its length
     TerrainLayer layer[TERRAIN_LAYERS];
 };

@@ -74,10 +74,14 @@ TEST(Options, theLastOfARepeatedOptionCounts)
 TEST(Options, framesAndShow)
 {
     const Options o =
-        parsed({"render", "p", "--out", "a.png", "--frames", "3..9", "--path", "flight", "--show", "depth"});
+        parsed({"render", "p", "--out", "a.png", "--frames", "3..9", "--path", "flight", "--show", "depth", "--cull-from", "1,2,3,40,-5"});
     EXPECT_EQ(o.range->first, 3);
     EXPECT_EQ(o.range->last, 9);
     EXPECT_EQ(o.show, renderer::Show::Depth);
+    ASSERT_TRUE(o.cullFrom);
+    EXPECT_EQ(o.cullFrom->eye, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(o.cullFrom->yaw, 40);
+    EXPECT_FALSE(parsed({"render", "p", "--out", "a.png"}).cullFrom);
 }
 
 TEST(Options, wrongWordsEndWithTwoAndSayWhat)

@@ -176,5 +176,25 @@ TEST(Glb, WhatCannotBeDrawnIsNamedAndLeftOut)
     EXPECT_NE(faults.find("over 1e9 m away are left out"), faults.npos) << faults;
 }
 
+// Two triangles, the second with corners that are not numbers or have no end.
+constexpr const char* kWithoutEnd = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":6,"type":"VEC3","min":[0,0,0],"max":[4,4,0]}],
+"bufferViews":[{"buffer":0,"byteLength":72}],
+"buffers":[{"byteLength":72,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAQAAAAAAAAAAAAAAAAAAAgEAAAAAAAADAfwAAAAAAAAAAAACAPwAAgH8AAAAAAAAAAAAAgP8AAIA/"}]})";
+
+TEST(Glb, CornersWithoutEndAreNamedAndLeftOut)
+{
+    const TemporaryFolder folder;
+    put(folder / "m.gltf", kWithoutEnd);
+    Complaints complaints;
+    const Result<Model> model = readModel(folder / "m.gltf", folder.path(), complaints);
+    ASSERT_TRUE(model) << model.error().text();
+    EXPECT_EQ(model->triangles(), 1u);
+    EXPECT_EQ(model->bounds.min, (glm::vec3{0, 0, 0}));
+    EXPECT_EQ(model->bounds.max, (glm::vec3{4, 4, 0}));
+    EXPECT_NE(listed(complaints).find("infinite or far-off corners are left out"), std::string::npos) << listed(complaints);
+}
+
 } // namespace
 } // namespace io

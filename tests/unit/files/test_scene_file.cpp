@@ -150,6 +150,9 @@ TEST(SceneFile, FaultsOfObjectsAreNamedWithTheirLine)
               "s.json:2: position: expected 3 numbers in brackets, found a list of 0\n");
     EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":"oak","scale":[1,0,1]})")}.faults(),
               "s.json:2: scale: 0 is too small; made 0.000001\n");
+    EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":"oak","scale":[1,1e999,1]})")}.faults(),
+              "s.json:2: scale: must be a finite number\n");
+    EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":"oak","rotation":[0,NaN,0]})")}.faults().substr(0, 17), "refused: s.json:2");
     EXPECT_EQ(Read{sceneOf(R"({"id":1,"template":7})")}.faults(),
               "s.json:2: template: expected a text in quotes, found 7\n");
     EXPECT_EQ(Read{sceneOf(R"({"id":-1,"template":"oak"})")}.faults().substr(0, 15), "s.json:2: id: -");

@@ -1,0 +1,123 @@
+#include "renderer/debug_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+namespace renderer {
+namespace {
+
+constexpr glm::vec4 kFrustum{1, 0.72f, 0.2f, 0.95f}; // sRGB
+constexpr float kBehind = 0.3f;                      // of the opacity, where something stands before it
+constexpr float kUnreached = 0.25f;                  // the same, of nodes that frozen culling does not reach
+constexpr double kShortest = 10, kLongest = 20000;   // m, of a view's edges
+
+constexpr double kSmallest = 0.02;      // diagonal / distance of a node that is shown
+constexpr std::size_t kMostNodes = 600; // shown at once
+
+using Corners = std::array<glm::dvec3, 4>;
+
+Corners cornersAt(const Eye& eye, double distance)
+{
+    const glm::dvec3 right = eye.right * (eye.tanHalfFov * eye.aspect * distance), up = eye.up * (eye.tanHalfFov * distance);
+    const glm::dvec3 middle = eye.position + eye.forward * distance;
+    return {middle - right - up, middle + right - up, middle + right + up, middle - right + up};
+}
+
+// How far along its direction an eye has anything of a box before it.
+double reachOf(const Eye& eye, const io::WorldBox& box)
+{
+    const glm::dvec3 farthest = glm::mix(box.min, box.max, glm::greaterThan(eye.forward, glm::dvec3{0}));
+    const double along = box.empty() ? 0 : glm::dot(farthest - eye.position, eye.forward);
+    return std::clamp(along, kShortest, kLongest);
+}
+
+struct ShownNode {
+    io::WorldBox box;
+    double size = 0; // diagonal / distance
+    int depth = 0;
+    bool leaf = false, splitsInHeight = false;
+};
+
+bool touches(const io::Box& box, const Volume& volume)
+{
+    return std::ranges::none_of(volume.planes, [&](const glm::dvec4& p) { return io::sideOf(box, p) == io::Side::Outside; });
+}
+
+// A node below another looks no larger, so what is too small ends the way down.
+void collect(std::vector<ShownNode>& nodes, const InstanceTree& tree, const Eye& eye)
+{
+    const Volume volume = volumeOf(eye);
+    tree.preOrder([&](const InstanceTree::Node& node) {
+        const io::WorldBox box{glm::dvec3{node.box.min}, glm::dvec3{node.box.max}};
+        const double size = glm::length(box.size()) / std::max(io::distance(node.box, eye.position), 1e-3);
+        if (size < kSmallest || !touches(node.box, volume)) return false;
+        nodes.push_back({box, size, node.depth, node.leaf, node.children == 2 || node.children == 8});
+        return true;
+    });
+}
+
+glm::vec3 colourOf(int depth) // as the levels of detail have them
+{
+    return 0.5f + 0.5f * glm::cos(6.2831853f * (float(depth) * 0.17f + glm::vec3{0.3f, 0.63f, 0.97f}));
+}
+
+void addRing(std::vector<Line>& lines, const io::WorldBox& box, const glm::vec4& colour)
+{
+    const double y = box.centre().y;
+    const Corners corners{{{box.min.x, y, box.min.z}, {box.max.x, y, box.min.z}, {box.max.x, y, box.max.z}, {box.min.x, y, box.max.z}}};
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        lines.push_back({.from = corners[i], .to = corners[(i + 1) % corners.size()], .colour = colour});
+}
+
+} // namespace
+
+void addBox(std::vector<Line>& lines, const io::WorldBox& box, const glm::vec4& colour)
+{
+    const auto corner = [&box](int i) {
+        return glm::dvec3{i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z};
+    };
+    for (int i = 0; i < 8; ++i)
+        for (const int bit : {1, 2, 4})
+            if (!(i & bit)) lines.push_back({.from = corner(i), .to = corner(i | bit), .colour = colour});
+}
+
+void addFrustum(std::vector<Line>& lines, const Eye& eye, const io::WorldBox& world)
+{
+    const double reach = reachOf(eye, world);
+    const auto add = [&](const glm::dvec3& from, const glm::dvec3& to) {
+        lines.push_back({.from = from, .to = to, .colour = kFrustum});
+        lines.push_back({.from = from, .to = to, .colour = {glm::vec3{kFrustum}, kFrustum.a * kBehind}, .onTop = true});
+    };
+    const auto frame = [&](double distance) {
+        const Corners corners = cornersAt(eye, distance);
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            add(corners[i], corners[(i + 1) % corners.size()]);
+    };
+    for (const glm::dvec3& corner : cornersAt(eye, reach))
+        add(eye.position, corner);
+    for (double distance = 1; distance < reach; distance *= 10)
+        frame(distance);
+    frame(reach);
+}
+
+void addNodes(std::vector<Line>& lines, std::span<const InstanceTree* const> trees, const Eye& eye,
+              const std::optional<Volume>& culledTo)
+{
+    std::vector<ShownNode> nodes;
+    for (const InstanceTree* tree : trees)
+        collect(nodes, *tree, eye);
+    if (nodes.size() > kMostNodes) {
+        const auto last = nodes.begin() + std::ptrdiff_t(kMostNodes);
+        std::ranges::nth_element(nodes, last, std::greater{}, &ShownNode::size);
+        nodes.erase(last, nodes.end());
+    }
+    for (const ShownNode& node : nodes) {
+        const bool reached = !culledTo || touches(io::roundedOutwards(node.box), *culledTo);
+        const glm::vec4 colour{colourOf(node.depth), (node.leaf ? 0.9f : 0.4f) * (reached ? 1 : kUnreached)};
+        addBox(lines, node.box, colour);
+        if (node.splitsInHeight) addRing(lines, node.box, colour);
+    }
+}
+
+} // namespace renderer

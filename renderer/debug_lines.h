@@ -1,0 +1,23 @@
+// Lines that show what is not to be seen otherwise: boxes, and what a view sees.
+#pragma once
+
+#include "io/scene/bounds.h"
+#include "renderer/cull.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace renderer {
+
+void addBox(std::vector<Line>& lines, const io::WorldBox& box, const glm::vec4& colour); // its twelve edges
+
+// The edges of the eye's view, as far as `world` goes, with a frame at each power of ten metres. Faint where they are hidden.
+void addFrustum(std::vector<Line>& lines, const Eye& eye, const io::WorldBox& world);
+
+// Boxes of the trees' nodes that the eye sees and that look largest from there, coloured by depth, leaves strongly; a ring runs
+// around those that split in height. Faint where `culledTo`, if there is one, does not reach.
+void addNodes(std::vector<Line>& lines, std::span<const InstanceTree* const> trees, const Eye& eye,
+              const std::optional<Volume>& culledTo);
+
+} // namespace renderer
