@@ -41,6 +41,7 @@ public:
 
     // A null image becomes a checkerboard. `alphaCutoff` is negative where nothing is cut out.
     TextureLayer add(const std::shared_ptr<const io::Image>& image, ColourSpace space, float alphaCutoff);
+    void upload(); // what was added since the last call
     const gl::Texture& array(int index) const { return *m_arrays[std::size_t(index)].texture; }
     int arrays() const { return int(m_arrays.size()); }
     void clear();
@@ -57,9 +58,16 @@ private:
     void grow(Array& array);
     TextureLayer addAlone(const TextureContent& content, const io::Image& image, ColourSpace space, float alphaCutoff);
 
+    struct Pending {
+        TextureLayer place;
+        std::shared_ptr<const io::Image> image;
+        MipRequest request;
+    };
+
     std::shared_ptr<TexturePool> m_pool;
 
     std::vector<Array> m_arrays;
+    std::vector<Pending> m_pending; // still to be filled
     std::map<TextureContent, TextureLayer> m_known;
     std::map<std::pair<const io::Image*, int>, std::pair<std::shared_ptr<const io::Image>, TextureContent>> m_hashed;
     int m_largestSide = 2048;
