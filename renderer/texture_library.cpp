@@ -82,6 +82,13 @@ TextureContent TextureLibrary::contentOf(const io::Image& image, ColourSpace spa
     return content;
 }
 
+io::ContentKey TextureLibrary::pixelsOf(const io::Image* image) const
+{
+    const auto hashed = m_hashed.lower_bound({image, 0});
+    if (!image || hashed == m_hashed.end() || hashed->first.first != image) return {};
+    return {hashed->second.second.hashA, hashed->second.second.hashB};
+}
+
 int TextureLibrary::arrayWithRoom(int side, ColourSpace space)
 {
     const std::uint64_t layerBytes = std::uint64_t(side) * side * 4;

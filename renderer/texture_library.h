@@ -2,6 +2,7 @@
 // multi-draw. The same pixels are kept once.
 #pragma once
 
+#include "io/base/content_hash.h"
 #include "io/scene/image.h"
 #include "renderer/gl/texture.h"
 #include "renderer/pixels.h"
@@ -43,6 +44,7 @@ public:
     TextureLayer add(const std::shared_ptr<const io::Image>& image, ColourSpace space, float alphaCutoff);
     void upload(); // what was added since the last call
     const gl::Texture& array(int index) const { return *m_arrays[std::size_t(index)].texture; }
+    io::ContentKey pixelsOf(const io::Image* image) const; // of one that was added; zeros for others
     int arrays() const { return int(m_arrays.size()); }
     void clear();
 
