@@ -1,5 +1,5 @@
-// RayTile: some thousand instances that lie together, as one Embree tree and a small one of those that came after it was
-// built; both are built anew when many came or much has gone.
+// RayTile: some thousand instances that lie together, as one Embree tree and a small one of those that came after it
+// was built; both are built anew when many came or much has gone.
 #pragma once
 
 #include "editor/ray_tree.h"

@@ -25,7 +25,8 @@ struct RayTree::Context : RTCIntersectContext {
     float start = 0; // m along the ray, where Embree's begins
 };
 
-void RayTree::build(RTCDevice device, Places places, std::span<const RayInstance> instances, const MeshOf& meshOf, bool often)
+void RayTree::build(RTCDevice device, Places places, std::span<const RayInstance> instances, const MeshOf& meshOf,
+                    bool often)
 {
     io::WorldBox box;
     for (const std::uint32_t place : places)

@@ -46,7 +46,8 @@ public:
     using MeshOf = std::function<std::shared_ptr<RayMesh>(io::TemplateId)>;
     using Places = std::span<const std::uint32_t>;
     // `often`: built so that building is cheap, else so that rays are.
-    void build(RTCDevice device, Places places, std::span<const RayInstance> instances, const MeshOf& meshOf, bool often);
+    void build(RTCDevice device, Places places, std::span<const RayInstance> instances, const MeshOf& meshOf,
+               bool often);
     void clear() { *this = {}; }
     bool empty() const { return m_built.empty(); }
 

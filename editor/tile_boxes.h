@@ -1,5 +1,5 @@
-// TileBoxes: the boxes of numbered tiles in blocks that a processor tests at a stroke, for rays: of some hundred boxes a
-// tree's steps cost more than looking at all of them.
+// TileBoxes: the boxes of numbered tiles, for rays, in blocks that have a box too: of some hundred boxes a tree's steps
+// cost more than looking at all of them.
 #pragma once
 
 #include "io/scene/tree_geometry.h"
@@ -22,8 +22,8 @@ public:
     void remove(std::uint32_t tile) { m_blocks[tile / kBlock].set(tile % kBlock, {}); }
     void clear() { m_blocks.clear(); }
 
-    // Tiles whose box the ray enters within `reach` (m), in the order of where it does. `visit(tile, entry)` answers how
-    // far the ray still goes.
+    // Tiles whose box the ray enters within `reach` (m), in the order of where it does. `visit(tile, entry)` answers
+    // how far the ray still goes.
     template <class Visit> void ray(const io::Ray& ray, double reach, Visit&& visit)
     {
         const io::SlabTest slabs{ray};

@@ -11,8 +11,8 @@ namespace {
 // renderer/impostor_baker.cpp, the mips of renderer/pixels.cpp, the levels of renderer/model_library.cpp.
 constexpr std::uint32_t kBaking = 1;
 
-constexpr std::array<std::string_view, 4> kStages{"objects.vert.glsl", "impostor_bake.frag.glsl", "full_screen.vert.glsl",
-                                                  "impostor_shrink.frag.glsl"};
+constexpr std::array<std::string_view, 4> kStages{"objects.vert.glsl", "impostor_bake.frag.glsl",
+                                                  "full_screen.vert.glsl", "impostor_shrink.frag.glsl"};
 
 void add(io::ContentHash& hash, const auto& vector) // of GLM
 {
@@ -23,7 +23,8 @@ void add(io::ContentHash& hash, const ModelLibrary& models, const io::Model& mod
 {
     const bool known = use.image >= 0 && std::size_t(use.image) < model.images.size();
     hash.add(use.image < 0);
-    for (const std::uint64_t half : models.textures().pixelsOf(known ? model.images[std::size_t(use.image)].get() : nullptr))
+    const io::Image* image = known ? model.images[std::size_t(use.image)].get() : nullptr;
+    for (const std::uint64_t half : models.textures().pixelsOf(image))
         hash.add(half);
     hash.add(use.uvSet);
     add(hash, use.offset);
@@ -43,8 +44,8 @@ void add(io::ContentHash& hash, const ModelLibrary& models, const io::Model& mod
     hash.add(material.alphaMode);
     hash.add(material.doubleSided);
     hash.add(material.unlit);
-    for (const io::TextureUse* use : {&material.baseColourTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-                                      &material.occlusionTexture, &material.emissiveTexture})
+    for (const io::TextureUse* use : {&material.baseColourTexture, &material.metallicRoughnessTexture,
+                                      &material.normalTexture, &material.occlusionTexture, &material.emissiveTexture})
         add(hash, models, model, *use);
 }
 
@@ -105,12 +106,12 @@ bool KeptImpostors::fill(const ModelLibrary& models, int model, const ImpostorAt
     const std::optional<std::string> bytes = m_kept ? m_kept->find(keyOf(models, model)) : std::nullopt;
     if (!bytes) return false;
     std::string_view rest = *bytes;
-    const bool filled = forEachPicture(atlas, [&](const gl::Texture& texture, int mip, std::vector<std::uint32_t>& texels) {
+    const auto take = [&](const gl::Texture& texture, int mip, std::vector<std::uint32_t>& texels) {
         if (!unpackTexels(rest, texels)) return false;
         texture.upload(texels.data(), GL_RGBA, GL_UNSIGNED_BYTE, mip, layer);
         return true;
-    });
-    return filled && rest.empty();
+    };
+    return forEachPicture(atlas, take) && rest.empty();
 }
 
 void KeptImpostors::keep(const ModelLibrary& models, int model, const ImpostorAtlas& atlas, int layer)

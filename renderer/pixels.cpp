@@ -220,7 +220,8 @@ std::vector<Pixels> mipChain(const MipRequest& request)
     }
 }
 
-void mipChains(std::span<const MipRequest> requests, const std::function<void(std::size_t, std::vector<Pixels>&)>& take)
+void mipChains(std::span<const MipRequest> requests,
+               const std::function<void(std::size_t, std::vector<Pixels>&)>& take)
 {
     const std::size_t threads = std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::vector<Pixels>> made(threads); // no more at once: they are large

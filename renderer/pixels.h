@@ -29,7 +29,8 @@ struct MipRequest {
 std::vector<Pixels> mipChain(const MipRequest& request);
 
 // The same of many, on all processors. `take(number, mips)` is called on this thread, in order.
-void mipChains(std::span<const MipRequest> requests, const std::function<void(std::size_t, std::vector<Pixels>&)>& take);
+void mipChains(std::span<const MipRequest> requests,
+               const std::function<void(std::size_t, std::vector<Pixels>&)>& take);
 
 io::Image checkerboard(); // what an image that could not be read looks like
 

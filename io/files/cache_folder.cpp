@@ -110,7 +110,8 @@ void CacheFolder::keep(const ContentKey& key, const std::string& bytes)
     std::memcpy(header.magic, kMagic, sizeof kMagic);
     std::string file(reinterpret_cast<const char*>(&header), sizeof header);
     file += bytes;
-    if (!putAside(fileOf(key), file)) log::debug("{}: cannot be written; it is made again next time", fileOf(key).string());
+    if (!putAside(fileOf(key), file))
+        log::debug("{}: cannot be written; what it held is made again next time", fileOf(key).string());
     keepWithin(m_folder, m_extension, m_most);
 }
 

@@ -1,10 +1,11 @@
-// Files that may be lost, as they are made again: in a folder that forgets those unused longest when it grows too large.
+// Files that may be lost, as they are made again: in a folder that forgets those unused longest when it grows large.
 #pragma once
 
 #include "io/base/kept_bytes.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace io {

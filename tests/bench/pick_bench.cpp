@@ -134,10 +134,10 @@ private:
     void addMesh(const io::Model& model, RTCSceneFlags flags, bool throughHoles)
     {
         const Owned<RTCGeometry> geometry{rtcNewGeometry(m_device.get(), RTC_GEOMETRY_TYPE_TRIANGLE)};
-        rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, model.vertices.data(), 0,
-                                   sizeof(io::Vertex), model.vertices.size());
-        rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, model.indices.data(), 0, 12,
-                                   model.indices.size() / 3);
+        rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, model.vertices.data(),
+                                   0, sizeof(io::Vertex), model.vertices.size());
+        rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, model.indices.data(), 0,
+                                   12, model.indices.size() / 3);
         if (throughHoles && model.materials[0].alphaMode != io::AlphaMode::Opaque) {
             rtcSetGeometryUserData(geometry.get(), const_cast<io::Model*>(&model));
             rtcSetGeometryIntersectFilterFunction(geometry.get(), lookThroughHoles);
@@ -154,7 +154,7 @@ private:
     Owned<RTCScene> m_top;
 };
 
-// The picker and Embree alone, turn by turn, so that what else the machine does slows all of them; medians of the turns.
+// The picker and Embree alone, turn by turn, so that what else the machine does slows all of them; medians of turns.
 void compare(const Bench& bench, const editor::Picker& picker)
 {
     struct Way {
@@ -164,10 +164,11 @@ void compare(const Bench& bench, const editor::Picker& picker)
     };
     const Alone fast{bench, RTC_SCENE_FLAG_NONE, false}, robust{bench, RTC_SCENE_FLAG_ROBUST, false},
         through{bench, RTC_SCENE_FLAG_ROBUST, true};
-    std::vector<Way> ways{{"picker", [&](const io::Ray& ray) { return bool(picker.pick(ray)); }},
-                          {"Embree alone", [&](const io::Ray& ray) { return fast.hits(ray); }},
-                          {"Embree alone, robust", [&](const io::Ray& ray) { return robust.hits(ray); }}, // as the picker's
-                          {"Embree alone, robust, through holes", [&](const io::Ray& ray) { return through.hits(ray); }}};
+    std::vector<Way> ways{
+        {"picker", [&](const io::Ray& ray) { return bool(picker.pick(ray)); }},
+        {"Embree alone", [&](const io::Ray& ray) { return fast.hits(ray); }},
+        {"Embree alone, robust", [&](const io::Ray& ray) { return robust.hits(ray); }}, // as the picker's
+        {"Embree alone, robust, through holes", [&](const io::Ray& ray) { return through.hits(ray); }}};
     constexpr std::size_t kTurn = 10'000; // rays
     for (std::size_t first = 0; first + kTurn <= bench.rays.size(); first += kTurn)
         for (Way& way : ways) {
@@ -183,8 +184,8 @@ void compare(const Bench& bench, const editor::Picker& picker)
         std::vector<double> ratios;
         for (std::size_t turn = 0; turn < ways[0].rates.size(); ++turn)
             ratios.push_back(ways[0].rates[turn] / ways[i].rates[turn]);
-        fmt::print("  {}: {:.0f} rays/s; the picker's rate, {:.0f}, is {:.2f} of it\n", ways[i].name, share(ways[i].rates, 0.5), own,
-                   share(ratios, 0.5));
+        fmt::print("  {}: {:.0f} rays/s; the picker's rate, {:.0f}, is {:.2f} of it\n", ways[i].name,
+                   share(ways[i].rates, 0.5), own, share(ratios, 0.5));
     }
 }
 

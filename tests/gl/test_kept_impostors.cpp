@@ -50,7 +50,8 @@ io::Image picture(const Models& models, const std::shared_ptr<Memory>& memory)
         test::addObject(world, id, {.position = {10.0 * double(world.assets.models.size()) - 15, -3, -150}});
     }
     world.scene.exchange(test::plainEnvironment(150, 40));
-    auto made = renderer::Renderer::create({.shaders = WOLD_SOURCE_DIR "/renderer/shaders", .debug = true, .kept = memory});
+    auto made = renderer::Renderer::create(
+        {.shaders = WOLD_SOURCE_DIR "/renderer/shaders", .debug = true, .kept = memory});
     EXPECT_TRUE(made);
     (*made)->update(world.scene, world.assets, {.everything = true});
     renderer::FrameInput in = test::frame(kSize, {.fov = 6});
