@@ -1,8 +1,14 @@
 #include "app/studio.h"
 
 #include "io/base/paths.h"
+#include "io/files/cache_folder.h"
 
 namespace app {
+namespace {
+
+constexpr std::uint64_t kMostPictureBytes = std::uint64_t(256) << 20; // of impostors, on disk
+
+} // namespace
 
 io::Result<std::unique_ptr<renderer::Renderer>> makeRenderer()
 {
@@ -11,7 +17,9 @@ io::Result<std::unique_ptr<renderer::Renderer>> makeRenderer()
 #else
     constexpr bool kDebug = true;
 #endif
-    return renderer::Renderer::create({.shaders = io::resource("renderer/shaders"), .debug = kDebug});
+    auto kept = std::make_shared<io::CacheFolder>(io::cacheFolder() / "impostors", ".pictures", kMostPictureBytes);
+    return renderer::Renderer::create(
+        {.shaders = io::resource("renderer/shaders"), .debug = kDebug, .kept = std::move(kept)});
 }
 
 io::Result<std::unique_ptr<Studio>> Studio::create(bool headless)

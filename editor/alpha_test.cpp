@@ -10,6 +10,7 @@ constexpr float kClear = 0.02f; // alpha of a blended surface below which nobody
 
 int wrapped(int texel, int size, io::Wrap wrap)
 {
+    if (texel >= 0 && texel < size) return texel;
     if (wrap == io::Wrap::Clamp) return glm::clamp(texel, 0, size - 1);
     const int period = wrap == io::Wrap::Mirror ? 2 * size : size;
     const int inside = ((texel % period) + period) % period;

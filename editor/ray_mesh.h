@@ -22,7 +22,7 @@ using EmbreeDevice = std::unique_ptr<std::remove_pointer_t<RTCDevice>, ReleaseEm
 using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, ReleaseEmbree>;
 using EmbreeGeometry = std::unique_ptr<std::remove_pointer_t<RTCGeometry>, ReleaseEmbree>;
 
-// Asked at each hit of a part with holes; defined by what sends the rays (editor/ray_tile.h).
+// Asked at each hit of a part with holes; defined by what sends the rays (editor/ray_tree.h).
 void filterHit(const RTCFilterFunctionNArguments* arguments);
 
 class RayMesh {

@@ -197,17 +197,16 @@ void RayScene::prepare()
 namespace {
 
 // Embree found the triangle in floats; where the ray meets its plane is worked out again in doubles.
-PickHit exactly(const io::Ray& ray, const RayTileHit& found, const RayInstance& instance)
+PickHit exactly(const io::Ray& ray, const RayTreeHit& found, const RayInstance& instance)
 {
     PickHit hit{
         .surface = Surface::Object, .id = instance.id, .templateId = instance.templateId, .distance = found.distance};
-    const glm::dmat4 worldFromModel = io::worldFromModel(instance.transform);
+    const glm::dmat3 linear{*found.linear}; // as good as what is drawn, and no sines
     const std::size_t first = found.part->firstIndex + 3 * found.triangle;
-    const auto world = [&](std::size_t i) {
-        return glm::dvec3{worldFromModel * glm::dvec4{corner(*found.part->model, i), 1}};
-    };
-    const glm::dvec3 a = world(first);
-    const glm::dvec3 normal = glm::cross(world(first + 1) - a, world(first + 2) - a);
+    const glm::dvec3 corners[3] = {corner(*found.part->model, first), corner(*found.part->model, first + 1),
+                                   corner(*found.part->model, first + 2)};
+    const glm::dvec3 a = instance.transform.position + linear * corners[0];
+    const glm::dvec3 normal = glm::cross(linear * (corners[1] - corners[0]), linear * (corners[2] - corners[0]));
     const double fall = glm::dot(normal, ray.direction);
     const double length = glm::length(normal);
     if (length > 0) {
@@ -229,7 +228,7 @@ PickHit RayScene::hit(const io::Ray& ray, double maxDistance, std::span<const io
     if (!std::isfinite(glm::dot(ray.origin, ray.origin)) || !std::isfinite(glm::dot(ray.direction, ray.direction)))
         return {};
     RayTiles& tiles = m_state->tiles;
-    const RayTileHit found = tiles.hit({.ray = ray, .skip = skip, .pixelWidth = float(pixelWidth)}, maxDistance);
+    const RayTreeHit found = tiles.hit({.ray = ray, .skip = skip, .pixelWidth = float(pixelWidth)}, maxDistance);
     return found.part ? exactly(ray, found, tiles.instances[found.place]) : PickHit{};
 }
 

@@ -12,8 +12,8 @@ namespace editor {
 
 class RayScene {
 public:
-    static constexpr std::size_t kTile = 1000;  // instances in a tile when it is made; up to half as many again come
-    static constexpr std::size_t kRecent = 128; // instances in the small tree
+    static constexpr std::size_t kTile = 4000;  // instances in a tile when it is made; up to half as many again come
+    static constexpr std::size_t kRecent = 64; // instances in the small tree
 
     RayScene();
     ~RayScene();

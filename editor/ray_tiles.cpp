@@ -56,6 +56,7 @@ void RayTiles::clear()
     m_full.clear();
     m_built.clear();
     m_tree.clear();
+    m_boxes.clear();
 }
 
 void RayTiles::touchAll()
@@ -76,7 +77,8 @@ void RayTiles::put(std::uint32_t place, std::uint32_t number)
     instances[place].tile = number;
     instances[place].slot = std::uint32_t(to.members.size());
     to.members.push_back(place);
-    to.touch();
+    if (number == kRecentTile) return to.touch();
+    to.came(place);
 }
 
 void RayTiles::takeOut(std::uint32_t place)
@@ -90,7 +92,7 @@ void RayTiles::takeOut(std::uint32_t place)
     from.members[instance.slot] = last;
     instances[last].slot = instance.slot;
     from.members.pop_back();
-    from.lose();
+    from.went(place);
     if (number == kRecentTile) return;
     if (from.members.empty())
         drop(number);
@@ -101,6 +103,7 @@ void RayTiles::takeOut(std::uint32_t place)
 void RayTiles::drop(std::uint32_t number)
 {
     m_tree.remove(number);
+    m_boxes.remove(number);
     m_tiles[number].reset();
     m_freeTiles.push_back(number);
 }
@@ -120,6 +123,7 @@ void RayTiles::makeTile(Places places)
         put(place, number);
     m_tiles[number]->widen(around(places, instances));
     EXPECTS(m_tree.insert(number, m_tiles[number]->box()));
+    m_boxes.set(number, m_tiles[number]->box());
 }
 
 void RayTiles::joinNearest(std::uint32_t place)
@@ -134,7 +138,13 @@ void RayTiles::joinNearest(std::uint32_t place)
     RayTile& to = tile(nearest);
     if (to.members.size() == RayScene::kTile * 3 / 2) m_full.push_back(nearest);
     to.widen(instances[place].bounds);
-    m_tree.move(nearest, to.box());
+    moved(nearest);
+}
+
+void RayTiles::moved(std::uint32_t number)
+{
+    m_tree.move(number, tile(number).box());
+    m_boxes.set(number, tile(number).box());
 }
 
 // Groups of them that lie densely become tiles of their own, the others join what is there.
@@ -184,15 +194,15 @@ void RayTiles::settle()
 
 void RayTiles::build(std::uint32_t number)
 {
-    tile(number).build(m_device, instances, m_meshOf, number == kRecentTile);
-    if (number != kRecentTile) m_built.push_back(number);
+    const bool anew = tile(number).build(m_device, instances, m_meshOf, number == kRecentTile);
+    if (anew && number != kRecentTile) m_built.push_back(number);
 }
 
 // A tile that was built again may have become smaller.
 void RayTiles::tighten()
 {
     for (const std::uint32_t number : m_built)
-        if (m_tiles[number] && m_tree.contains(number)) m_tree.move(number, tile(number).box());
+        if (m_tiles[number] && m_tree.contains(number)) moved(number);
     m_built.clear();
 }
 
@@ -204,14 +214,14 @@ void RayTiles::prepare()
     tighten();
 }
 
-RayTileHit RayTiles::hit(const RayQuery& query, double reach)
+RayTreeHit RayTiles::hit(const RayQuery& query, double reach)
 {
     settle();
-    RayTileHit best{.distance = reach};
+    RayTreeHit best{.distance = reach};
     if (m_tiles.empty()) return best;
     const auto enter = [&](std::uint32_t number, double entry) {
         if (tile(number).stale()) build(number);
-        tile(number).hit(query, instances, entry, best.distance, best);
+        tile(number).hit(query, instances, entry, best);
         return best.distance;
     };
     if (!tile(kRecentTile).members.empty()) {
@@ -219,7 +229,7 @@ RayTileHit RayTiles::hit(const RayQuery& query, double reach)
         const double entry = io::SlabTest{query.ray}.entry(io::roundedOutwards(tile(kRecentTile).box()));
         if (entry <= reach) enter(kRecentTile, entry);
     }
-    m_tree.ray(query.ray, best.distance, [&](const auto& item, double entry) { return enter(item.value, entry); });
+    m_boxes.ray(query.ray, best.distance, enter);
     return best;
 }
 

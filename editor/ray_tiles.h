@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editor/ray_tile.h"
+#include "editor/tile_boxes.h"
 #include "io/scene/scene_tree.h"
 
 #include <memory>
@@ -13,7 +14,7 @@ namespace editor {
 
 class RayTiles {
 public:
-    RayTiles(RTCDevice device, RayTile::MeshOf meshOf) : m_device{device}, m_meshOf{std::move(meshOf)} {}
+    RayTiles(RTCDevice device, RayTree::MeshOf meshOf) : m_device{device}, m_meshOf{std::move(meshOf)} {}
 
     std::vector<RayInstance> instances; // by place
 
@@ -22,7 +23,7 @@ public:
     void clear();
     void touchAll(); // other meshes stand for the templates
 
-    RayTileHit hit(const RayQuery& query, double reach);
+    RayTreeHit hit(const RayQuery& query, double reach);
     void prepare(); // builds every tile
     template <class Visit> void forEachInside(std::span<const glm::dvec4> planes, Visit&& visit);
 
@@ -38,14 +39,16 @@ private:
     void put(std::uint32_t place, std::uint32_t number);
     void drop(std::uint32_t number);
     void build(std::uint32_t number);
+    void moved(std::uint32_t number); // its box did
     void tighten();
 
     RTCDevice m_device;
-    RayTile::MeshOf m_meshOf;
+    RayTree::MeshOf m_meshOf;
     std::vector<std::unique_ptr<RayTile>> m_tiles;
     std::vector<std::uint32_t> m_freeTiles;
     std::vector<std::uint32_t> m_thin, m_full, m_built; // tiles to look after before the next ray
     io::SceneTree<std::uint32_t> m_tree;                // of tiles
+    TileBoxes m_boxes;                                  // of the same, for rays
 };
 
 template <class Visit> void RayTiles::forEachInside(std::span<const glm::dvec4> planes, Visit&& visit)

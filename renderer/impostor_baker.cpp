@@ -57,8 +57,8 @@ glsl::View sheetView()
 
 } // namespace
 
-ImpostorBaker::ImpostorBaker(ShaderLibrary& shaders)
-    : m_programs{shaders, "impostor_bake", {}, kAllFeatures}, m_shrink{shaders.fullScreen("impostor_shrink")},
+ImpostorBaker::ImpostorBaker(ShaderLibrary& shaders, std::shared_ptr<io::KeptBytes> kept)
+    : m_kept{std::move(kept), shaders}, m_programs{shaders, "impostor_bake", {}, kAllFeatures}, m_shrink{shaders.fullScreen("impostor_shrink")},
       m_objects{makeObjectVertexArray()}
 {
 }
@@ -89,10 +89,14 @@ void ImpostorBaker::render(GpuFrame& gpu, const ModelLibrary& models, ImpostorAt
     if (atlas.filled() == int(atlas.models().size())) return;
     const auto scope = gpu.scope("impostors");
     atlas.reserve();
-    makeSheets();
     for (int layer = atlas.filled(); layer < int(atlas.models().size()); ++layer) {
-        bake(gpu, models, atlas.models()[std::size_t(layer)]);
-        shrink(gpu, atlas, layer);
+        const int model = atlas.models()[std::size_t(layer)];
+        if (!m_kept.fill(models, model, atlas, layer)) {
+            if (!m_depth) makeSheets();
+            bake(gpu, models, model);
+            shrink(gpu, atlas, layer);
+            m_kept.keep(models, model, atlas, layer);
+        }
         atlas.filledOne();
     }
     m_sheets = {};

@@ -1,7 +1,9 @@
-// Takes the pictures that impostors show: all frames of a model in one draw, then smaller and smaller.
+// Takes the pictures that impostors show: all frames of a model in one draw, then smaller and smaller. What changes them
+// raises kBaking in kept_impostors.cpp.
 #pragma once
 
 #include "renderer/impostors.h"
+#include "renderer/kept_impostors.h"
 #include "renderer/passes/object_programs.h"
 #include "renderer/shaders/shared/impostor.h"
 
@@ -9,9 +11,9 @@ namespace renderer {
 
 class ImpostorBaker {
 public:
-    explicit ImpostorBaker(ShaderLibrary& shaders);
+    ImpostorBaker(ShaderLibrary& shaders, std::shared_ptr<io::KeptBytes> kept);
 
-    // Fills the layers that are still empty, in their order. Leaves the view and the records bound anew.
+    // Fills the layers that are still empty, in their order, with what is kept where that is known. Leaves the view and the records bound anew.
     void render(GpuFrame& gpu, const ModelLibrary& models, ImpostorAtlas& atlas);
 
 private:
@@ -24,6 +26,7 @@ private:
     void bake(GpuFrame& gpu, const ModelLibrary& models, int model);
     void shrink(GpuFrame& gpu, const ImpostorAtlas& atlas, int layer);
 
+    KeptImpostors m_kept;
     ObjectPrograms m_programs;
     const gl::Program& m_shrink;
     gl::VertexArray m_objects;

@@ -314,6 +314,7 @@ int ModelLibrary::add(const std::shared_ptr<const io::Model>& model, bool impost
 
 void ModelLibrary::upload()
 {
+    m_textures.upload();
     append(m_vertexBuffer, "vertices", m_newVertices, m_vertexCount);
     append(m_indexBuffer, "indices", m_newIndices, m_indexCount);
     append(m_materialBuffer, "materials", m_newMaterials, m_materialCount);

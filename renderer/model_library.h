@@ -84,6 +84,7 @@ public:
     // The same model gives the same number. `impostor`: it may be drawn as a picture of itself where it is small.
     int add(const std::shared_ptr<const io::Model>& model, bool impostor = false);
     const ModelEntry& entry(int model) const { return m_entries[std::size_t(model)]; }
+    const io::Model& source(int model) const { return *m_models[std::size_t(model)]; }
     int size() const { return int(m_entries.size()); }
     std::span<const Bin> bins() const { return m_bins; }
     std::span<const glsl::CullModel> cullModels() const { return m_cullModels; }
@@ -125,7 +126,7 @@ private:
     TextureLibrary m_textures;
     ImpostorAtlas m_impostors;
     std::vector<ModelEntry> m_entries;
-    std::vector<std::shared_ptr<const io::Model>> m_models; // keeps the keys of m_known alive
+    std::vector<std::shared_ptr<const io::Model>> m_models; // beside m_entries; keeps the keys of m_known alive
     std::map<std::pair<const io::Model*, bool>, int> m_known; // with or without an impostor
     std::uint64_t m_revision = 0;
     bool m_blends = false;

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <thread>
 
 namespace renderer {
 namespace {
@@ -54,6 +55,11 @@ float channel(const io::Image& image, int x, int y, int c, bool srgb)
 }
 
 // The common case, by table: eight bits, three or four channels.
+bool isBytes(const io::Image& image)
+{
+    return image.type == io::PixelType::U8 && image.channels >= 3;
+}
+
 Plane planeOfBytes(const io::Image& image, bool srgb)
 {
     static const auto linear = [] {
@@ -74,7 +80,7 @@ Plane planeOfBytes(const io::Image& image, bool srgb)
 
 Plane planeOf(const io::Image& image, ColourSpace space)
 {
-    if (image.type == io::PixelType::U8 && image.channels >= 3) return planeOfBytes(image, space == ColourSpace::Srgb);
+    if (isBytes(image)) return planeOfBytes(image, space == ColourSpace::Srgb);
     const bool srgb = space == ColourSpace::Srgb;
     const bool grey = image.channels < 3;
     const bool alpha = image.channels == 2 || image.channels == 4;
@@ -160,6 +166,25 @@ Pixels bytesOf(const Plane& plane, ColourSpace space, bool weighed, float alphaS
     return pixels;
 }
 
+// What bytesOf() makes of a plane that was not changed.
+Pixels recoded(const io::Image& image, ColourSpace space)
+{
+    static const auto roots = [] {
+        std::array<std::uint8_t, 256> values{};
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = encodeByte(decodeTable()[i]);
+        return values;
+    }();
+    const auto* from = reinterpret_cast<const std::uint8_t*>(image.bytes.data());
+    Pixels pixels(std::size_t(image.size.x) * image.size.y);
+    for (glm::u8vec4& texel : pixels) {
+        texel = {from[0], from[1], from[2], image.channels == 4 ? from[3] : std::uint8_t(255)};
+        if (space == ColourSpace::Srgb) texel = {roots[texel.x], roots[texel.y], roots[texel.z], texel.w};
+        from += image.channels;
+    }
+    return pixels;
+}
+
 } // namespace
 
 int textureSide(glm::ivec2 size, int largest)
@@ -168,8 +193,10 @@ int textureSide(glm::ivec2 size, int largest)
     return int(std::min(std::bit_ceil(longest), unsigned(largest)));
 }
 
-std::vector<Pixels> mipChain(const io::Image& image, int side, ColourSpace space, float alphaCutoff)
+std::vector<Pixels> mipChain(const MipRequest& request)
 {
+    const auto& [source, side, space, alphaCutoff] = request;
+    const io::Image& image = *source;
     const bool cut = alphaCutoff >= 0;
     Plane plane = planeOf(image, space);
     if (cut) weighByAlpha(plane);
@@ -184,9 +211,30 @@ std::vector<Pixels> mipChain(const io::Image& image, int side, ColourSpace space
     std::vector<Pixels> mips;
     for (int s = side;; s /= 2) {
         const bool scaled = cut && s < side && s >= 4;
-        mips.push_back(bytesOf(plane, space, cut, scaled ? alphaFactor(plane, share, alphaCutoff) : 1.0f));
+        if (s == side && !cut && isBytes(image) && image.size == glm::ivec2{side})
+            mips.push_back(recoded(image, space));
+        else
+            mips.push_back(bytesOf(plane, space, cut, scaled ? alphaFactor(plane, share, alphaCutoff) : 1.0f));
         if (s == 1) return mips;
         plane = halved(plane, glm::ivec2{s});
+    }
+}
+
+void mipChains(std::span<const MipRequest> requests,
+               const std::function<void(std::size_t, std::vector<Pixels>&)>& take)
+{
+    const std::size_t threads = std::max(1u, std::thread::hardware_concurrency());
+    std::vector<std::vector<Pixels>> made(threads); // no more at once: they are large
+    for (std::size_t first = 0; first < requests.size(); first += threads) {
+        const std::size_t count = std::min(threads, requests.size() - first);
+        {
+            std::vector<std::jthread> others;
+            for (std::size_t i = 1; i < count; ++i)
+                others.emplace_back([&, i] { made[i] = mipChain(requests[first + i]); });
+            made[0] = mipChain(requests[first]);
+        }
+        for (std::size_t i = 0; i < count; ++i)
+            take(first + i, made[i]);
     }
 }
 

@@ -2,6 +2,7 @@
 // context on the calling thread for its whole life; shows no GL type.
 #pragma once
 
+#include "io/base/kept_bytes.h"
 #include "io/base/result.h"
 #include "io/scene/assets.h"
 #include "io/scene/camera.h"
@@ -95,6 +96,7 @@ public:
     struct Options {
         std::filesystem::path shaders; // the folder renderer/shaders
         bool debug = false;            // synchronous GL debug output
+        std::shared_ptr<io::KeptBytes> kept; // pictures of impostors from other runs; null: made anew
     };
     static io::Result<std::unique_ptr<Renderer>> create(Options options);
     ~Renderer();

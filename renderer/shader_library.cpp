@@ -70,6 +70,14 @@ void ShaderLibrary::build(Entry& entry)
     entry.faults.push_back({.where = where, .what = log.text});
 }
 
+io::ContentKey ShaderLibrary::textKey(std::span<const std::string_view> stages) const
+{
+    io::ContentHash hash;
+    for (const std::string_view stage : stages)
+        if (const io::Result<ShaderSource> source = readShader(m_folder, stage, {})) hash.add(source->text);
+    return hash.key();
+}
+
 bool ShaderLibrary::changed(const Entry& entry) const
 {
     return std::ranges::any_of(entry.files, [](const WatchedFile& f) { return timeOf(f.file) != f.time; });

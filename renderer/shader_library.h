@@ -2,6 +2,7 @@
 // text keeps the last good program.
 #pragma once
 
+#include "io/base/content_hash.h"
 #include "io/base/result.h"
 #include "renderer/gl/program.h"
 #include "renderer/renderer.h"
@@ -9,7 +10,9 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace renderer {
@@ -29,6 +32,9 @@ public:
     // text never was good.
     const gl::Program& program(const ProgramDesc& desc);
     const gl::Program& fullScreen(const std::string& fragment, std::vector<std::string> defines = {});
+
+    // Tells apart the texts of stages, with all that they include.
+    io::ContentKey textKey(std::span<const std::string_view> stages) const;
 
     void reload();       // what changed since it was built
     void reloadIfDue();  // looks at the files' times twice a second

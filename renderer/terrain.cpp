@@ -60,14 +60,19 @@ gl::Texture layerArray(std::string_view label, const Images& images, ColourSpace
                        .wrap = GL_REPEAT,
                        .anisotropic = true,
                        .lodBias = -0.6f}}; // the ground mostly runs away from the eye
+    std::vector<MipRequest> requests;
+    std::vector<int> layers; // of the requests
     for (std::size_t layer = 0; layer < images.size(); ++layer) {
         if (!images[layer]) continue;
-        std::vector<Pixels> mips = mipChain(*images[layer], side, space, -1);
+        requests.push_back({images[layer].get(), side, space});
+        layers.push_back(int(layer));
+    }
+    mipChains(requests, [&](std::size_t number, std::vector<Pixels>& mips) {
         for (std::size_t mip = 0; mip < mips.size(); ++mip) {
             if (space == ColourSpace::Srgb) heightIntoAlpha(mips[mip]);
-            array.upload(mips[mip].data(), GL_RGBA, GL_UNSIGNED_BYTE, int(mip), int(layer));
+            array.upload(mips[mip].data(), GL_RGBA, GL_UNSIGNED_BYTE, int(mip), layers[number]);
         }
-    }
+    });
     return array;
 }
 

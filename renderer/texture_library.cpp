@@ -55,6 +55,7 @@ TextureLibrary::TextureLibrary(std::shared_ptr<TexturePool> pool) : m_pool{std::
 void TextureLibrary::clear()
 {
     m_arrays.clear();
+    m_pending.clear();
     m_known.clear();
     m_hashed.clear();
     Array& white = m_arrays.emplace_back();
@@ -79,6 +80,13 @@ TextureContent TextureLibrary::contentOf(const io::Image& image, ColourSpace spa
         content.hashB = mixed(content.hashB, word * 0xd6e8feb86659fd93ull + at);
     }
     return content;
+}
+
+io::ContentKey TextureLibrary::pixelsOf(const io::Image* image) const
+{
+    const auto hashed = m_hashed.lower_bound({image, 0});
+    if (!image || hashed == m_hashed.end() || hashed->first.first != image) return {};
+    return {hashed->second.second.hashA, hashed->second.second.hashB};
 }
 
 int TextureLibrary::arrayWithRoom(int side, ColourSpace space)
@@ -124,9 +132,21 @@ TextureLayer TextureLibrary::add(const std::shared_ptr<const io::Image>& image, 
     Array& array = m_arrays[std::size_t(index)];
     if (array.used == array.texture->layers()) grow(array);
     const TextureLayer place{.array = index, .layer = array.used++};
-    fill(*array.texture, place.layer, mipChain(*source, side, space, alphaCutoff));
+    m_pending.push_back({place, source, {source.get(), side, space, alphaCutoff}});
     m_known.emplace(content, place);
     return place;
+}
+
+void TextureLibrary::upload()
+{
+    std::vector<MipRequest> requests;
+    for (const Pending& pending : m_pending)
+        requests.push_back(pending.request);
+    mipChains(requests, [&](std::size_t number, std::vector<Pixels>& mips) {
+        const TextureLayer& place = m_pending[number].place;
+        fill(*m_arrays[std::size_t(place.array)].texture, place.layer, mips);
+    });
+    m_pending.clear();
 }
 
 TextureLayer TextureLibrary::addAlone(const TextureContent& content, const io::Image& image, ColourSpace space, float alphaCutoff)
@@ -135,7 +155,7 @@ TextureLayer TextureLibrary::addAlone(const TextureContent& content, const io::I
     std::shared_ptr<gl::Texture> texture = m_pool->find(content);
     if (!texture) {
         texture = makeArray(side, space, 1);
-        fill(*texture, 0, mipChain(image, side, space, alphaCutoff));
+        fill(*texture, 0, mipChain({&image, side, space, alphaCutoff}));
         m_pool->keep(content, texture);
     }
     m_arrays.push_back({.texture = std::move(texture), .side = side, .space = space, .used = 1});

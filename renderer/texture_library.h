@@ -2,6 +2,7 @@
 // multi-draw. The same pixels are kept once.
 #pragma once
 
+#include "io/base/content_hash.h"
 #include "io/scene/image.h"
 #include "renderer/gl/texture.h"
 #include "renderer/pixels.h"
@@ -41,7 +42,9 @@ public:
 
     // A null image becomes a checkerboard. `alphaCutoff` is negative where nothing is cut out.
     TextureLayer add(const std::shared_ptr<const io::Image>& image, ColourSpace space, float alphaCutoff);
+    void upload(); // what was added since the last call
     const gl::Texture& array(int index) const { return *m_arrays[std::size_t(index)].texture; }
+    io::ContentKey pixelsOf(const io::Image* image) const; // of one that was added; zeros for others
     int arrays() const { return int(m_arrays.size()); }
     void clear();
 
@@ -57,9 +60,16 @@ private:
     void grow(Array& array);
     TextureLayer addAlone(const TextureContent& content, const io::Image& image, ColourSpace space, float alphaCutoff);
 
+    struct Pending {
+        TextureLayer place;
+        std::shared_ptr<const io::Image> image;
+        MipRequest request;
+    };
+
     std::shared_ptr<TexturePool> m_pool;
 
     std::vector<Array> m_arrays;
+    std::vector<Pending> m_pending; // still to be filled
     std::map<TextureContent, TextureLayer> m_known;
     std::map<std::pair<const io::Image*, int>, std::pair<std::shared_ptr<const io::Image>, TextureContent>> m_hashed;
     int m_largestSide = 2048;

@@ -14,47 +14,6 @@ constexpr std::uint32_t kFormat = 1;
 constexpr std::uint32_t kAlgorithm = 2; // counts up with every change of what makeLevels makes
 constexpr std::uint32_t kMostLevels = 16;
 
-// Two sums with different multipliers over 8 bytes at a time (multiply and xor-shift, as in MurmurHash64).
-class Hash {
-public:
-    void add(const void* data, std::size_t size)
-    {
-        const char* bytes = static_cast<const char*>(data);
-        for (; size >= 8; bytes += 8, size -= 8)
-            mix(word(bytes, 8));
-        mix(word(bytes, size) ^ std::uint64_t(size) << 56);
-    }
-    template <class T> void add(const std::vector<T>& values)
-    {
-        add(values.size());
-        add(values.data(), values.size() * sizeof(T));
-    }
-    template <class T>
-        requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-    void add(T value)
-    {
-        add(&value, sizeof value);
-    }
-    Key key() const { return {m_a ^ m_a >> 29, m_b ^ m_b >> 31}; }
-
-private:
-    static std::uint64_t word(const char* bytes, std::size_t size)
-    {
-        std::uint64_t value = 0;
-        if (size > 0) std::memcpy(&value, bytes, size);
-        return value;
-    }
-    void mix(std::uint64_t value)
-    {
-        m_a = (m_a ^ value) * 0x9e3779b97f4a7c15u;
-        m_a ^= m_a >> 32;
-        m_b = (m_b + value) * 0xc2b2ae3d27d4eb4fu;
-        m_b ^= m_b >> 29;
-    }
-    std::uint64_t m_a = 0x243f6a8885a308d3u;
-    std::uint64_t m_b = 0x13198a2e03707344u;
-};
-
 struct Header {
     char magic[8];
     std::uint32_t format;
@@ -101,13 +60,6 @@ private:
     std::string_view m_rest;
 };
 
-Key hashOf(std::string_view bytes)
-{
-    Hash hash;
-    hash.add(bytes.data(), bytes.size());
-    return hash.key();
-}
-
 bool allBelow(const std::vector<std::uint32_t>& numbers, std::size_t limit)
 {
     return std::all_of(numbers.begin(), numbers.end(), [limit](std::uint32_t number) { return number < limit; });
@@ -152,7 +104,7 @@ bool readLevel(Reader& reader, Made& made, const Model& model)
 
 Key keyOf(const Model& model)
 {
-    Hash hash;
+    ContentHash hash;
     hash.add(kAlgorithm);
     hash.add(std::uint32_t(MESHOPTIMIZER_VERSION));
     hash.add(model.vertices);
@@ -195,7 +147,7 @@ std::string encode(const Key& key, const Made& made)
             put(bytes, &range, 1);
         }
     }
-    header.checksum = hashOf(std::string_view{bytes}.substr(sizeof header));
+    header.checksum = contentKey(std::string_view{bytes}.substr(sizeof header));
     std::memcpy(bytes.data(), &header, sizeof header);
     return bytes;
 }
@@ -205,7 +157,7 @@ std::optional<Made> decode(std::string_view bytes, const Key& key, const Model& 
     Reader reader{bytes};
     Header header;
     if (!reader.read(&header, 1) || std::memcmp(header.magic, kMagic, sizeof kMagic) != 0) return {};
-    if (header.format != kFormat || header.key != key || header.checksum != hashOf(reader.rest())) return {};
+    if (header.format != kFormat || header.key != key || header.checksum != contentKey(reader.rest())) return {};
     if (header.levels > kMostLevels || header.indices != model.indices.size()) return {};
     if (header.order > model.vertices.size()) return {};
     Made made;

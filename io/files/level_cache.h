@@ -1,9 +1,9 @@
 // Levels of detail on disk: named by a hash of what they were made of, and trusted in nothing.
 #pragma once
 
+#include "io/base/content_hash.h"
 #include "io/scene/model.h"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,7 +19,7 @@ struct Made {
     std::vector<Level> levels;
 };
 
-using Key = std::array<std::uint64_t, 2>;
+using Key = ContentKey;
 Key keyOf(const Model& model); // of geometry, parts and how they are drawn, and of the way levels are made
 std::string fileName(const Key& key);
 

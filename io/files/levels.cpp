@@ -3,16 +3,14 @@
 #include "io/base/log.h"
 #include "io/base/paths.h"
 #include "io/files/atomic_file.h"
+#include "io/files/cache_folder.h"
 #include "io/files/draw_order.h"
 #include "io/files/level_cache.h"
 #include "io/files/level_foliage.h"
 #include "io/files/level_solid.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <fstream>
-#include <unistd.h>
 
 namespace io {
 namespace fs = std::filesystem;
@@ -23,6 +21,7 @@ constexpr std::size_t kSmallModel = 64; // triangles; fewer are not worth a leve
 constexpr std::size_t kSmallLevel = 16; // triangles; nothing coarser follows
 constexpr float kGain = 0.75f;          // a level has at most this share of the one before
 constexpr float kRise = 1.01f;          // errors of neighbours differ, so that a choice by error is one
+constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 30; // of all levels on disk
 
 Level levelOf(const Model& model, const levels::Piece& solid, const levels::Piece& foliage)
 {
@@ -75,23 +74,6 @@ void fillLevels(Model& model)
     }
 }
 
-// Whole or not at all for whoever reads it; not flushed, as a lost one is made again.
-bool putAside(const fs::path& file, const std::string& bytes)
-{
-    static std::atomic<unsigned> number{0};
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    const fs::path temporary = file.string() + fmt::format(".{}-{}.tmp", ::getpid(), number++);
-    std::ofstream stream{temporary, std::ios::binary};
-    stream.write(bytes.data(), std::streamsize(bytes.size()));
-    stream.close();
-    if (stream) fs::rename(temporary, file, error);
-    if (stream && !error) return true;
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    return false;
-}
-
 // The full model's vertices stand before those that only levels use.
 std::vector<std::uint32_t> make(Model& model)
 {
@@ -129,13 +111,16 @@ void addLevels(Model& model, const fs::path& folder)
     const levels::Key key = levels::keyOf(model);
     const fs::path file = folder / levels::fileName(key);
     if (const Result<std::string> bytes = readFile(file)) {
-        if (std::optional<levels::Made> made = levels::decode(*bytes, key, model))
+        if (std::optional<levels::Made> made = levels::decode(*bytes, key, model)) {
+            markUsed(file);
             return levels::apply(std::move(*made), model);
+        }
         log::debug("{}: damaged; its levels are made anew", file.string());
     }
     std::vector<std::uint32_t> order = make(model);
     if (!putAside(file, levels::encode(key, madeOf(model, std::move(order)))))
         log::debug("{}: cannot be written; levels of detail are made again next time", file.string());
+    keepWithin(folder, file.extension().string(), kMostBytes);
 }
 
 } // namespace io

@@ -89,7 +89,7 @@ Texture::Texture(const TextureDesc& desc)
     glObjectLabel(GL_TEXTURE, id, GLsizei(desc.label.size()), desc.label.data());
 }
 
-void Texture::upload(const void* pixels, GLenum format, GLenum type, int mip, int layer)
+void Texture::upload(const void* pixels, GLenum format, GLenum type, int mip, int layer) const
 {
     const glm::ivec2 extent = size(mip);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);

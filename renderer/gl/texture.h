@@ -42,7 +42,7 @@ public:
     explicit operator bool() const { return id() != 0; }
 
     // Whole mip of one layer, rows tightly packed.
-    void upload(const void* pixels, GLenum format, GLenum type, int mip = 0, int layer = 0);
+    void upload(const void* pixels, GLenum format, GLenum type, int mip = 0, int layer = 0) const;
 
 private:
     Handle<DeleteTexture> m_handle;

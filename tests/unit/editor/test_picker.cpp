@@ -181,11 +181,11 @@ void editAtRandom(Document& document, Random& random)
 // Enough objects for many tiles, enough edits that the tiles are filled, thinned out and joined.
 TEST(Picker, ItsTilesSayTheSameAfterHundredsOfEdits)
 {
-    const auto document = test::forest(6000, 12, false);
+    const auto document = test::forest(17'000, 12, false);
     Picker picker;
     document->takeChanges();
     picker.update(document->scene(), document->assets(), {.everything = true});
-    compareWithBruteForce(*document, picker, 2000, 13);
+    compareWithBruteForce(*document, picker, 800, 13);
     Random random{14};
     for (int i = 1; i <= 500; ++i) {
         editAtRandom(*document, random);
@@ -194,9 +194,9 @@ TEST(Picker, ItsTilesSayTheSameAfterHundredsOfEdits)
         if (i == 200) picker.prepare();
         if (i % 100 == 0) compareWithBruteForce(*document, picker, 100, std::uint64_t(i));
     }
-    compareWithBruteForce(*document, picker, 2000, 15);
+    compareWithBruteForce(*document, picker, 800, 15);
     document->goTo(0);
-    compareWithBruteForce(*document, test::followed(picker, *document), 500, 16);
+    compareWithBruteForce(*document, test::followed(picker, *document), 200, 16);
 }
 
 // Too scattered for a tile of their own, they join tiles whose rays did not come near so far.
