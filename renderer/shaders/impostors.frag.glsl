@@ -20,8 +20,8 @@ layout(location = 8) flat in vec3 normalZ;
 layout(location = 9) flat in uvec4 ids;   // object, flags, roughness of leaves and of the rest (unorm16), a pixel that moves along
 
 const float kEdge = 1.0 / float(IMPOSTOR_FRAME_TEXELS);
-const float kCover = 0.43; // from which a texel counts; a little under a half, as one picture alone is as thin as it was taken
-const float kSpread = 0.2; // of the covers that pass: 0 keeps those above it, 1 keeps the mean and is all grain
+const float kCover = 0.44; // from which a texel counts; a little under a half, as one picture alone is as thin as it was taken
+const float kSpread = 0.35; // of the covers that pass: 0 keeps those above it, 1 keeps the mean and is all grain
 
 void main()
 {

@@ -75,7 +75,9 @@ void main()
     vec2 part = grid - cell;
     vec2 third = part.x > part.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
     vec2 frames[3] = vec2[3](cell, cell + third, cell + 1.0);
-    vec2 weights = vec2(1.0 - max(part.x, part.y), abs(part.x - part.y));
+    vec3 share = vec3(1.0 - max(part.x, part.y), abs(part.x - part.y), min(part.x, part.y));
+    share *= share; // the nearest picture lacks least of what is to be seen from here
+    vec2 weights = share.xy / (share.x + share.y + share.z);
 
     vec2 places[3];
     vec2 shifts[3];
