@@ -229,6 +229,7 @@ void viewActions(Actions& a, Editor& e)
            .run = [&e] { e.viewport().showStatistics = !e.viewport().showStatistics; },
            .checked = [&e] { return e.viewport().showStatistics; }});
     a.add({.id = "animate",
+           .keys = {.key = Key::F4},
            .run = [&e] { e.setAnimates(!e.animates()); },
            .checked = [&e] { return e.animates(); }});
     a.add({.id = "rendering", .run = [&e] { e.workspace().bringToFront("rendering"); }});

@@ -21,6 +21,9 @@ struct CullRequest {
     float errorAngle = 0;                // error / distance that a level of detail may have; 0: full models
     float errorLength = 0;               // m, the same for parallel light
     bool impostors = false;              // they will do
+    glsl::Wind wind{};                   // speed 0: nothing sways
+    float swayAngle = 0;                 // way / distance under which sway is left out
+    float swayLength = 0;                // m, the same for parallel light
     std::uint32_t required = 0;          // flags
     std::uint32_t refused = 0;
 };

@@ -1,5 +1,6 @@
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/state.h"
+#include "renderer/wind.h"
 
 #include <algorithm>
 
@@ -8,6 +9,7 @@ namespace {
 
 constexpr int kLargestSide = 16384;      // pixels; every OpenGL 4.5 has textures of that size
 constexpr double kSmallestPixels = 0.6; // diameter under which an object is left out
+constexpr double kLeastSway = 0.5;      // pixels
 
 } // namespace
 
@@ -52,8 +54,10 @@ Viewpoint Renderer::State::look(const FrameInput& in) const
     io::Environment environment = scenery.environment;
     environment.shadows = capped(environment.shadows, in.settings);
     Viewpoint v;
+    v.time = in.time;
     v.eye = eyeOf(in.camera, glm::clamp(in.size, 1, kLargestSide));
     v.towardSun = io::towardSun(environment);
+    v.wind = windOf(environment.wind, in.settings.wind, v.eye.position, in.time);
     v.view = viewBlock(v.eye, v.eye.clipFromRelative, in.time, environment.exposure);
     const bool sunUp = v.towardSun.y > -0.02;
     if (in.settings.shadows && sunUp) v.cascades = cascadesOf(v.eye, environment.shadows, v.towardSun);
@@ -77,6 +81,8 @@ GeometryPass::Drawn Renderer::State::drawSurfaces(GpuFrame& gpu, const FrameInpu
                               .smallestAngle = float(kSmallestPixels / 2 * viewpoint.view.pixelAngle),
                               .errorAngle = in.settings.lod ? in.settings.lodPixels * viewpoint.view.pixelAngle : 0.0f,
                               .impostors = true,
+                              .wind = viewpoint.wind,
+                              .swayAngle = float(kLeastSway * viewpoint.view.pixelAngle),
                               .refused = in.markers ? 0u : CULL_MARKER};
     const bool occlusion = in.settings.culling && in.settings.occlusion && culledOnGpu(in.settings);
     GeometryPass::Drawn drawn;

@@ -40,7 +40,8 @@ std::uint64_t writeInto(gl::Buffer& buffer, std::string_view label, const std::v
 io::WorldBox boxOf(const glsl::CullRecord& record)
 {
     const glm::dvec3 centre{record.centre};
-    return {centre - double(record.radius), centre + double(record.radius)};
+    const double reach = double(record.radius + record.sway * WIND_MOST_REACH);
+    return {centre - reach, centre + reach};
 }
 
 std::uint32_t InstanceSet::add(std::uint32_t slot)
@@ -126,6 +127,7 @@ std::uint64_t InstanceSet::upload(Wanted wanted)
 
 DrawList InstanceSet::draws(GpuStream& stream, const View& view) const
 {
+    const glsl::CullView wind = cullView(view.request, m_records.size());
     cull({.records = m_cullRecords, .models = view.models.cullModels(), .tree = &m_tree}, view.request, m_seen);
     return makeDrawList(stream, {.models = view.models,
                                  .seen = m_seen,
@@ -136,7 +138,8 @@ DrawList InstanceSet::draws(GpuStream& stream, const View& view) const
                                  .recordBuffer = view.direct && m_onGpu ? m_recordBuffer.id() : 0,
                                  .records = m_cullRecords,
                                  .eye = view.request.eye,
-                                 .towardSun = view.request.towardSun});
+                                 .towardSun = view.request.towardSun,
+                                 .wind = &wind});
 }
 
 } // namespace renderer

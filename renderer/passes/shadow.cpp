@@ -8,6 +8,7 @@ namespace renderer {
 namespace {
 
 constexpr float kErrorTexels = 1.0f; // how far what casts a shadow may stray from its full model
+constexpr float kLeastSway = 0.5f;   // texels
 
 // Whether something came, went or moved whose shadow may fall into a cascade.
 bool touched(const World& world, const Volume& volume)
@@ -19,6 +20,17 @@ bool touched(const World& world, const Volume& volume)
     });
 }
 
+bool swaysIn(const DrawList& list)
+{
+    return std::ranges::any_of(list.opaque, &DrawRange::swaying);
+}
+
+// Where the GPU culls, its list has a range for all that could sway.
+bool mayBeSeen(const Scenery& scenery, const Viewpoint& viewpoint, const CullRequest& request)
+{
+    return scenery.world.mostSway() * glsl::windReach(viewpoint.wind) > request.swayLength;
+}
+
 } // namespace
 
 ShadowPass::ShadowPass(ShaderLibrary& shaders)
@@ -26,6 +38,9 @@ ShadowPass::ShadowPass(ShaderLibrary& shaders)
       m_solid{shaders.program({.label = "shadow of solids",
                                .stages = {"objects.vert.glsl", "empty.frag.glsl"},
                                .defines = {"POSITION_ONLY"}})},
+      m_solidSwaying{shaders.program({.label = "shadow of solids that sway",
+                                      .stages = {"objects.vert.glsl", "empty.frag.glsl"},
+                                      .defines = {"POSITION_ONLY", "WIND"}})},
       m_ground{shaders.program({.label = "shadow of the ground", .stages = {"terrain.vert.glsl", "empty.frag.glsl"}})},
       m_objects{makeObjectVertexArray()},
       m_lit{{.label = "no shadow", .size = {1, 1}, .layers = 1, .format = GL_DEPTH_COMPONENT32F, .compare = true}}, m_shaders{shaders}
@@ -61,15 +76,18 @@ const gl::Texture& ShadowPass::render(GpuFrame& gpu, Scenery& scenery, const Vie
     resize(capped(scenery.environment.shadows, settings).resolution, int(viewpoint.cascades.size()));
     for (std::size_t i = 0; i < viewpoint.cascades.size(); ++i) {
         const Cascade& cascade = viewpoint.cascades[i];
-        const Key key{.snapped = cascade.snapped,
+        Key key{.snapped = cascade.snapped,
                       .radius = cascade.radius,
                       .towardSun = viewpoint.towardSun,
                       .world = scenery.world.revision(),
                       .terrain = scenery.terrain.revision(),
                       .culling = settings.culling,
-                      .lod = settings.lod};
+                      .lod = settings.lod,
+                      .wind = {viewpoint.wind.towards, viewpoint.wind.speed, viewpoint.wind.gustiness}};
+        if (m_keys[i].time) key.time = viewpoint.time;
         if (key == m_keys[i] && !touched(scenery.world, cascade.volume)) continue;
-        renderCascade(gpu, scenery, viewpoint, i, settings);
+        const bool sways = renderCascade(gpu, scenery, viewpoint, i, settings);
+        key.time = sways ? std::optional{viewpoint.time} : std::nullopt;
         m_keys[i] = key;
     }
     scenery.world.forgetTouched();
@@ -78,7 +96,7 @@ const gl::Texture& ShadowPass::render(GpuFrame& gpu, Scenery& scenery, const Vie
     return m_maps;
 }
 
-void ShadowPass::renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, std::size_t index,
+bool ShadowPass::renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, std::size_t index,
                                const Settings& settings)
 {
     const Cascade& cascade = viewpoint.cascades[index];
@@ -97,23 +115,27 @@ void ShadowPass::renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint&
                               .smallestRadius = float(cascade.texel * 0.5),
                               .errorLength = settings.lod ? float(cascade.texel) * kErrorTexels : 0.0f,
                               .impostors = true,
+                              .wind = viewpoint.wind,
+                              .swayLength = float(cascade.texel) * kLeastSway,
                               .required = CULL_CASTS_SHADOW};
     const std::vector<DrawList> lists = m_choosers[index]->choose(gpu, scenery, request, settings, false);
     m_layers[index].bind();
     gpu.constants(VIEW_BINDING, view);
     for (const DrawList& list : lists)
-        drawRanges(gpu, m_objects, list, list.opaque, [&](const DrawRange&, const Batch& batch) {
+        drawRanges(gpu, m_objects, list, list.opaque, [&](const DrawRange& range, const Batch& batch) {
             const bool masked = batch.features & (kFeatureMask | kFeatureImpostor);
             gl::apply(state);
             if (masked) bindArrays(gpu, *list.models, batch);
-            return gpu.use(masked ? m_masked.of(batch) : m_solid);
+            return gpu.use(masked ? m_masked.of(batch, false, range.swaying) : range.swaying ? m_solidSwaying : m_solid);
         });
 
-    if (!scenery.terrain.present() || !gpu.use(m_ground)) return;
+    const bool sways = mayBeSeen(scenery, viewpoint, request) && std::ranges::any_of(lists, swaysIn);
+    if (!scenery.terrain.present() || !gpu.use(m_ground)) return sways;
     const Terrain::Draw ground = scenery.terrain.draws(gpu.stream(), volume);
     gl::apply(state);
     scenery.terrain.bind(gpu, false);
     scenery.terrain.draw(gpu, ground);
+    return sways;
 }
 
 } // namespace renderer

@@ -21,14 +21,16 @@ private:
         glm::dvec3 towardSun{0};
         std::uint64_t world = 0, terrain = 0;
         bool culling = false, lod = false;
+        glm::vec4 wind{0};          // its means
+        std::optional<double> time; // s, where something sways
         bool operator==(const Key&) const = default;
     };
     void resize(int resolution, int layers);
-    void renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, std::size_t index,
-                       const Settings& settings);
+    bool renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, std::size_t index,
+                       const Settings& settings); // whether something in it sways
 
     ObjectPrograms m_masked;
-    const gl::Program &m_solid, &m_ground;
+    const gl::Program &m_solid, &m_solidSwaying, &m_ground;
     gl::VertexArray m_objects;
     gl::Texture m_maps;
     gl::Texture m_lit;
