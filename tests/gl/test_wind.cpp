@@ -214,24 +214,23 @@ int shadowBesideTheTree(double time, bool wind)
     const Shown s = shown(in);
     int count = 0;
     for (int i = 0; i < kSize.x * kSize.y; ++i)
-        count += s.ids[std::size_t(i)] == renderer::kTerrainId && s.image.row<glm::u8vec4>(i / kSize.x)[i % kSize.x].x < 100;
+        count += s.ids[std::size_t(i)] == renderer::kTerrainId && s.image.row<glm::u8vec4>(i / kSize.x)[i % kSize.x].x < 128;
     return count;
 }
 
 TEST(Sway, ShadowsFollow)
 {
-    Windy windy{1, 20};
+    Windy windy{1, 40};
     io::Environment environment = windy.world.scene.environment();
     environment.shadows = {.cascades = 1, .distance = 300, .resolution = 4096};
     windy.world.scene.exchange(environment);
     test::load(windy.world);
     const int still = shadowBesideTheTree(0, false);
     for (const double time : {0.5, 2.0, 4.5})
-        EXPECT_LT(shadowBesideTheTree(time, true), still + 250) << still;
-    windy.world.scene.exchange(environment);
+        EXPECT_LT(shadowBesideTheTree(time, true), still * 1.3);
 
     // The tree itself behind the eye, its shadow before it.
-    const io::Camera away{.eye = {-2, 5, 0}, .yaw = -90, .pitch = -40};
+    const io::Camera away{.eye = {-4, 5, 0}, .yaw = 90, .pitch = -45};
     const auto at = [&](double time, bool wind) {
         renderer::FrameInput in = frameAt(time, away);
         in.settings.wind = wind;
@@ -265,16 +264,18 @@ TEST(Sway, ShadowMapsWhereNoneIsSeenAreKept)
     EXPECT_FALSE(redrawn(40)) << "nothing there sways";
 }
 
+// A pole whose top, leaning away, comes up from below the picture, where the sphere of the upright one does not reach.
 TEST(Sway, IsNotCulledWhereItLeansIntoTheView)
 {
     Windy windy{1, 60};
-    for (int i = 0; i < 24; ++i) {
-        renderer::FrameInput in = frameAt(1 + i * 0.4, {.eye = {0, 4, 16}, .yaw = float(34 + i) * (i % 2 ? 1.0f : -1.0f), .fov = 50});
+    test::addObject(windy.world, windy.sways("pole", test::box({0.4f, 16, 0.4f}, {1, 1, 1, 1}), 1), {.position = {-40, 0, 0}});
+    test::load(windy.world);
+    for (int i = 0; i < 40; ++i) {
+        renderer::FrameInput in = frameAt(i * 0.4, {.eye = {-40, 27 + i * 0.04, 20}, .fov = 56});
         const Shown culled = shown(in);
         in.settings.culling = false;
         EXPECT_TRUE(culled == shown(in)) << i;
     }
-    windy.world.scene.exchange(windy.box, std::nullopt);
 }
 
 int differing(const Shown& a, const Shown& b)
