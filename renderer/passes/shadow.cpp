@@ -28,7 +28,7 @@ bool swaysIn(const DrawList& list)
 // Where the GPU culls, its list has a range for all that could sway.
 bool mayBeSeen(const Scenery& scenery, const Viewpoint& viewpoint, const CullRequest& request)
 {
-    return scenery.world.mostSway() * glsl::windReach(viewpoint.wind) > request.swayLength;
+    return glsl::windReach(glsl::windMost(viewpoint.wind), scenery.world.mostSway()) > request.swayLength;
 }
 
 } // namespace

@@ -47,15 +47,15 @@ TEST(Wind, GoesNoFartherThanBoundsAllow)
         const glsl::Sway sway = glsl::windSway(wind, {side(random) * 100, side(random) * 100}, amount, height, std::uint32_t(i) & 255u);
         const glm::vec3 point{side(random), height * up, side(random)};
         const glm::vec3 moved = glsl::windBent(point, sway.top, up) + glsl::windLeaf(point, up, wind.time, 0.2f) * sway.flutter;
-        ASSERT_LE(glm::length(moved - point), amount * height * glsl::windReach(wind) + 1e-4f);
-        ASSERT_LE(glsl::windReach(wind), WIND_MOST_REACH);
+        ASSERT_LE(glm::length(moved - point), glsl::windReach(glsl::windMost(wind), amount * height) + 1e-4f);
+        ASSERT_LE(glsl::windReach(glsl::windMost(wind), height), height * WIND_MOST_REACH);
     }
 }
 
 TEST(Wind, NothingMovesWhereNoneBlows)
 {
     for (const glsl::Wind& wind : {windAt(7, 0), renderer::windOf({}, false, {}, 7)}) {
-        EXPECT_EQ(glsl::windReach(wind), 0);
+        EXPECT_EQ(glsl::windReach(glsl::windMost(wind), 9), 0);
         EXPECT_EQ(swayAt(wind, {3, 4}, 9).top, glm::vec2{0});
         EXPECT_EQ(swayAt(wind, {3, 4}, 9).flutter, 0);
     }
@@ -319,7 +319,7 @@ TEST(Sway, FadesAwayWithDistance)
             .eye = {0, 0, distance}, .errorAngle = 0.001f, .impostors = true, .wind = wind, .swayAngle = 0.0005f};
         return glsl::swayShown(record, model, renderer::cullView(request, 1));
     };
-    const float way = 10 * glsl::windReach(windAt(0, 5));
+    const float way = glsl::windReach(glsl::windMost(windAt(0, 5)), 10);
     EXPECT_EQ(at(way / 0.001 + 4, plain), 1);
     EXPECT_NEAR(at(way / 0.00075 + 5, plain), 0.5, 0.01);
     EXPECT_EQ(at(way / 0.0005 + 6, plain), 0);

@@ -15,7 +15,7 @@ SHARED_BEGIN
 struct CullRecord { // of an instance, beside its Instance
     vec3 centre; float radius; // m, world; the radius covers the rounding of the centre
     uint model;  uint flags;
-    float sway;  uint unused0; // of what sways: its height, m, by how freely
+    float sway;  uint unused0; // `give` of windReach()
 };
 SHARED_STRUCT_END(CullRecord, 32)
 
@@ -38,10 +38,10 @@ struct CullView {
     uint refused;
     uint count;        // instances
     uint impostors;    // 1: they will do
-    float reach;       // windReach(); 0: nothing sways
+    float unused;
     float swayAngle;   // way / distance under which sway is left out; 0: parallel light
     float swayLength;  // m, the same of parallel light
-    float unused0; float unused1;
+    vec2 windMost;     // windMost(); 0: nothing sways
     Wind wind;
 };
 SHARED_STRUCT_END(CullView, 192)
@@ -73,7 +73,7 @@ SHARED_FUNCTION bool wanted(CullRecord r, CullView v)
 // Of the sphere that holds it however it sways, m.
 SHARED_FUNCTION float reachOf(CullRecord r, CullView v)
 {
-    return r.radius + r.sway * v.reach;
+    return r.radius + windReach(v.windMost, r.sway);
 }
 
 SHARED_FUNCTION bool insidePlanes(CullRecord r, CullView v)
@@ -125,7 +125,7 @@ SHARED_FUNCTION LevelChoice chooseLevel(CullRecord r, CullModel m, CullView v)
 // what will be one stands upright before.
 SHARED_FUNCTION float swayShown(CullRecord r, CullModel m, CullView v)
 {
-    float most = r.sway * v.reach;
+    float most = windReach(v.windMost, r.sway);
     if (most <= 0.0f) return 0.0f;
     vec3 d = r.centre - v.eye;
     float away = max(sqrt(dot(d, d)) - r.radius, 0.0f);

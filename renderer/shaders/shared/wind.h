@@ -9,8 +9,9 @@ SHARED_BEGIN
 #define WIND_PERIOD 1024.0f      // s, after which time begins again: every frequency is a whole number of 1 / WIND_PERIOD
 #define WIND_GUST_PERIOD 4096.0f // m, likewise of the field of gusts
 #define WIND_MOST_LEAN 0.25f     // m that the top of a plant gives way for each metre of its height
-#define WIND_MOST_FLUTTER 0.06f  // m, of leaves
-#define WIND_MOST_REACH 0.3f     // windReach() of any wind
+#define WIND_FLUTTER 0.02f       // m that leaves do for each metre of the plant's height
+#define WIND_MOST_FLUTTER 0.06f  // m, of any
+#define WIND_MOST_REACH 0.3f     // windReach() of a metre in any wind
 
 struct Wind { // of one frame
     vec2 towards; float speed; float gustiness; // unit, x and z; m/s, 0: nothing sways; 0..1
@@ -61,11 +62,17 @@ SHARED_FUNCTION float windFlutter(float speed)
     return speed / (speed + 5.0f);
 }
 
-// How far at most a plant gives way in this wind, m for each metre of height.
-SHARED_FUNCTION float windReach(Wind w)
+// The most that a wind does: the lean of a top for each metre of height, and windFlutter().
+SHARED_FUNCTION vec2 windMost(Wind w)
 {
     float fastest = w.speed * (1.0f + w.gustiness);
-    return windLean(fastest) * 1.06f + 0.02f * windFlutter(fastest);
+    return vec2(windLean(fastest) * 1.06f, windFlutter(fastest));
+}
+
+// How far at most any point of a plant moves, m; `give` is its height, m, by how freely it sways.
+SHARED_FUNCTION float windReach(vec2 most, float give)
+{
+    return give * most.x + min(give * WIND_FLUTTER, WIND_MOST_FLUTTER) * most.y;
 }
 
 // Unlike that of others: a part of a turn, in 256ths. A step of Jarzynski and Olano, "Hash Functions for GPU Rendering" (2020).
@@ -98,7 +105,7 @@ SHARED_FUNCTION Sway windSway(Wind w, vec2 place, float amount, float height, ui
     float across = lean * 0.3f * (2.0f * side - 1.0f);
     Sway sway;
     sway.top = w.towards * along + vec2(-w.towards.y, w.towards.x) * across;
-    sway.flutter = min(0.02f * height, WIND_MOST_FLUTTER) * amount * windFlutter(speed);
+    sway.flutter = min(WIND_FLUTTER * height, WIND_MOST_FLUTTER) * amount * windFlutter(speed);
     return sway;
 }
 
