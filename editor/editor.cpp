@@ -28,6 +28,11 @@ constexpr double kBlink = 0.4;      // s; divides the times a text cursor is see
 constexpr double kHitch = 0.25;     // s; a slow frame uses up no more of what is shown for a while
 constexpr double kRest = 0.1;       // s of waiting that make a pause between two frames
 
+bool sways(const io::Scene::TemplateSlot& slot)
+{
+    return slot.value && slot.value->wind > 0;
+}
+
 } // namespace
 
 Editor::Editor(renderer::Renderer& renderer, Host& host) : Editor{&renderer, host} {}
@@ -282,7 +287,8 @@ bool Editor::drifts() const
     if (!animates() || !m_document) return false;
     const io::Environment& environment = m_document->scene().environment();
     const bool clouds = renderSettings.clouds && environment.clouds.speed != 0 && environment.clouds.coverage > 0;
-    return clouds || (renderSettings.wind && environment.wind.speed > 0);
+    const bool wind = renderSettings.wind && environment.wind.speed > 0;
+    return clouds || (wind && std::ranges::any_of(m_document->scene().templates(), sways));
 }
 
 double Editor::nextFrameIn() const
