@@ -132,7 +132,8 @@ std::vector<PartInBatch> opaqueParts(const ModelLibrary& models, const Binned& b
     // What has no holes first: it hides most and costs least.
     std::ranges::stable_sort(parts, {}, [&](const PartInBatch& p) {
         const bool masked = models.batches()[std::size_t(p.batch)].features & (kFeatureMask | kFeatureImpostor);
-        return std::tuple{masked, models.bins()[p.bin].fading, models.bins()[p.bin].swaying, p.batch, models.bins()[p.bin].mirrored};
+        const Bin& bin = models.bins()[p.bin];
+        return std::tuple{masked, bin.fading, bin.swaying, p.batch, bin.mirrored};
     });
     return parts;
 }
@@ -193,7 +194,8 @@ void bend(glsl::Instance& copy, const DrawSource& source, std::uint32_t slot)
     const glsl::CullView& view = *source.wind;
     const glsl::CullRecord& record = source.records[slot];
     const float shown = glsl::swayShown(record, source.models.cullModels()[record.model], view);
-    const glm::vec2 place = glsl::windPlace(view.wind, {copy.positionHigh.x, copy.positionHigh.z}, {copy.positionLow.x, copy.positionLow.z});
+    const glm::vec3 high = copy.positionHigh, low = copy.positionLow;
+    const glm::vec2 place = glsl::windPlace(view.wind, {high.x, high.z}, {low.x, low.z});
     const std::uint32_t phase = glsl::windPhase(copy.objectId);
     const glsl::Sway sway = glsl::windSway(view.wind, place, copy.axisX.w * shown, copy.axisY.w, phase);
     copy.drawn |= phase << DRAWN_PHASE_SHIFT | glsl::swayFlutter(sway) << DRAWN_FLUTTER_SHIFT;

@@ -21,11 +21,12 @@ glsl::Wind windOf(const io::Wind& wind, bool on, const glm::dvec3& eye, double t
     const glm::dvec2 anchor = glm::round(glm::dvec2{eye.x, eye.z} / kAnchorStep) * kAnchorStep;
     const double along = glm::dot(anchor, towards) - double(wind.speed) * time;
     const double across = anchor.y * towards.x - anchor.x * towards.y;
+    const glm::dvec2 origin{wrapped(along, double(WIND_GUST_PERIOD)), wrapped(across, double(WIND_GUST_PERIOD))};
     return {.towards = glm::vec2{towards},
             .speed = on ? wind.speed : 0.0f,
             .gustiness = wind.gustiness,
             .anchor = glm::vec2{anchor},
-            .origin = {float(wrapped(along, double(WIND_GUST_PERIOD))), float(wrapped(across, double(WIND_GUST_PERIOD)))},
+            .origin = glm::vec2{origin},
             .time = float(wrapped(time, double(WIND_PERIOD)))};
 }
 

@@ -126,7 +126,8 @@ bool ShadowPass::renderCascade(GpuFrame& gpu, Scenery& scenery, const Viewpoint&
             const bool masked = batch.features & (kFeatureMask | kFeatureImpostor);
             gl::apply(state);
             if (masked) bindArrays(gpu, *list.models, batch);
-            return gpu.use(masked ? m_masked.of(batch, false, range.swaying) : range.swaying ? m_solidSwaying : m_solid);
+            const gl::Program& solid = range.swaying ? m_solidSwaying : m_solid;
+            return gpu.use(masked ? m_masked.of(batch, false, range.swaying) : solid);
         });
 
     const bool sways = mayBeSeen(scenery, viewpoint, request) && std::ranges::any_of(lists, swaysIn);

@@ -58,8 +58,8 @@ vec2 textureUv(int unit)
 }
 
 #ifdef WIND
-// From the instance's origin, m. Normals stay: a lean of a few degrees is not to be seen in the light. Leaves are cut out, so
-// that nothing else fetches its material for them.
+// From the instance's origin, m. Normals stay: a lean of a few degrees is not to be seen in the light. Leaves are cut
+// out, so that nothing else fetches its material for them.
 vec3 swayed(vec3 point)
 {
     float share = inPosition.y * inPerHeight;

@@ -1,5 +1,5 @@
-// The wind: what it does to a plant is bounded, keeps its length and goes on in time; and what is drawn of that agrees in
-// every pass.
+// The wind: what it does to a plant is bounded, keeps its length and goes on in time; and what is drawn of that agrees
+// in every pass.
 #include "renderer/cull.h"
 #include "renderer/wind.h"
 #include "tests/gl/support/shared_renderer.h"
@@ -27,7 +27,8 @@ TEST(Wind, APlantKeepsItsLengthAndStandsOnItsRoot)
     std::mt19937 random{2};
     std::uniform_real_distribution<float> side{-5, 5}, up{0, 12}, time{0, 900}, speed{0, 60};
     for (int i = 0; i < 2000; ++i) {
-        const glsl::Sway sway = swayAt(windAt(time(random), speed(random)), {side(random), side(random)}, std::uint32_t(i));
+        const glsl::Wind wind = windAt(time(random), speed(random));
+        const glsl::Sway sway = swayAt(wind, {side(random), side(random)}, std::uint32_t(i));
         const glm::vec3 point{side(random), up(random), side(random)};
         const glm::vec3 moved = glsl::windBent(point, sway.top, point.y / 12);
         EXPECT_NEAR(glm::length(moved), glm::length(point), 0.001f * glm::length(point));
@@ -39,14 +40,16 @@ TEST(Wind, APlantKeepsItsLengthAndStandsOnItsRoot)
 TEST(Wind, GoesNoFartherThanBoundsAllow)
 {
     std::mt19937 random{3};
-    std::uniform_real_distribution<float> side{-9, 9}, share{0, 1}, time{0, 5000}, speed{0, 60}, gusts{0, 1}, tall{0.2f, 30};
+    std::uniform_real_distribution<float> side{-9, 9}, share{0, 1}, time{0, 5000}, speed{0, 60}, tall{0.2f, 30};
     for (int i = 0; i < 20000; ++i) {
-        const glsl::Wind wind =
-            renderer::windOf({.speed = speed(random), .direction = side(random) * 40, .gustiness = gusts(random)}, true, {}, time(random));
+        const io::Wind blows{.speed = speed(random), .direction = side(random) * 40, .gustiness = share(random)};
+        const glsl::Wind wind = renderer::windOf(blows, true, {}, time(random));
         const float height = tall(random), amount = share(random), up = share(random);
-        const glsl::Sway sway = glsl::windSway(wind, {side(random) * 100, side(random) * 100}, amount, height, std::uint32_t(i) & 255u);
+        const glm::vec2 place = glm::vec2{side(random), side(random)} * 100.0f;
+        const glsl::Sway sway = glsl::windSway(wind, place, amount, height, std::uint32_t(i) & 255u);
         const glm::vec3 point{side(random), height * up, side(random)};
-        const glm::vec3 moved = glsl::windBent(point, sway.top, up) + glsl::windLeaf(point, up, wind.time, 0.2f) * sway.flutter;
+        const glm::vec3 leaf = glsl::windLeaf(point, up, wind.time, 0.2f) * sway.flutter;
+        const glm::vec3 moved = glsl::windBent(point, sway.top, up) + leaf;
         ASSERT_LE(glm::length(moved - point), glsl::windReach(glsl::windMost(wind), amount * height) + 1e-4f);
         ASSERT_LE(glsl::windReach(glsl::windMost(wind), height), height * WIND_MOST_REACH);
     }
@@ -103,7 +106,8 @@ struct Windy {
             world.assets.heights = test::heightMap({201, 201}, 2, [](double, double) { return 0.0; });
         }
         tree = test::addObject(world, sways("tree", test::treeModel(), amount), {});
-        box = test::addObject(world, test::addTemplate(world, "box", test::box({2, 4, 2}, {0.6f, 0.5f, 0.4f, 1})), {.position = {6, 0, 0}});
+        const io::TemplateId still = test::addTemplate(world, "box", test::box({2, 4, 2}, {0.6f, 0.5f, 0.4f, 1}));
+        box = test::addObject(world, still, {.position = {6, 0, 0}});
         io::Environment environment = test::plainEnvironment(90, 40);
         environment.wind = {.speed = speed, .direction = 0, .gustiness = 0.5f};
         world.scene.exchange(environment);
@@ -143,7 +147,8 @@ const io::Camera kBefore{.eye = {2, 4, 16}};
 TEST(Sway, MovesWhatSwaysAndNothingElse)
 {
     Windy windy;
-    const Shown first = shown(frameAt(1, kBefore)), again = shown(frameAt(1, kBefore)), later = shown(frameAt(3, kBefore));
+    const Shown first = shown(frameAt(1, kBefore)), again = shown(frameAt(1, kBefore));
+    const Shown later = shown(frameAt(3, kBefore));
     EXPECT_TRUE(first == again) << "the same moment is the same picture";
     EXPECT_FALSE(first == later);
     const auto owned = [](const Shown& s, io::ObjectId id) {
@@ -208,13 +213,15 @@ int shadowBesideTheTree(double time, bool wind)
 {
     const double e = glm::radians(40.0);
     const glm::dvec3 sun{std::cos(e), std::sin(e), 0};
-    renderer::FrameInput in = frameAt(time, {.eye = sun * 150.0 + glm::dvec3{0, 4, 0}, .yaw = 90, .pitch = -40, .fov = 9});
+    const glm::dvec3 eye = sun * 150.0 + glm::dvec3{0, 4, 0};
+    renderer::FrameInput in = frameAt(time, {.eye = eye, .yaw = 90, .pitch = -40, .fov = 9});
     in.settings.wind = wind;
     in.show = renderer::Show::Shadow;
     const Shown s = shown(in);
     int count = 0;
     for (int i = 0; i < kSize.x * kSize.y; ++i)
-        count += s.ids[std::size_t(i)] == renderer::kTerrainId && s.image.row<glm::u8vec4>(i / kSize.x)[i % kSize.x].x < 128;
+        count += s.ids[std::size_t(i)] == renderer::kTerrainId &&
+                 s.image.row<glm::u8vec4>(i / kSize.x)[i % kSize.x].x < 128;
     return count;
 }
 
@@ -268,7 +275,8 @@ TEST(Sway, ShadowMapsWhereNoneIsSeenAreKept)
 TEST(Sway, IsNotCulledWhereItLeansIntoTheView)
 {
     Windy windy{1, 60};
-    test::addObject(windy.world, windy.sways("pole", test::box({0.4f, 16, 0.4f}, {1, 1, 1, 1}), 1), {.position = {-40, 0, 0}});
+    const io::TemplateId pole = windy.sways("pole", test::box({0.4f, 16, 0.4f}, {1, 1, 1, 1}), 1);
+    test::addObject(windy.world, pole, {.position = {-40, 0, 0}});
     test::load(windy.world);
     for (int i = 0; i < 40; ++i) {
         renderer::FrameInput in = frameAt(i * 0.4, {.eye = {-40, 27 + i * 0.04, 20}, .fov = 56});

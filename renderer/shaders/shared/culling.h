@@ -141,8 +141,8 @@ SHARED_FUNCTION float swayShown(CullRecord r, CullModel m, CullView v)
 
 SHARED_FUNCTION uint binOf(CullModel m, CullRecord r, int level, bool fading, bool swaying)
 {
-    return m.firstBin + uint(level) * BINS_OF_LEVEL + (swaying ? 4u : 0u) + ((r.flags & CULL_MIRRORED) != 0u ? 2u : 0u) +
-           (fading ? 1u : 0u);
+    uint kind = (swaying ? 4u : 0u) + ((r.flags & CULL_MIRRORED) != 0u ? 2u : 0u) + (fading ? 1u : 0u);
+    return m.firstBin + uint(level) * BINS_OF_LEVEL + kind;
 }
 
 SHARED_END

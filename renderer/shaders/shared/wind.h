@@ -6,7 +6,7 @@
 #include "shared.h"
 SHARED_BEGIN
 
-#define WIND_PERIOD 1024.0f      // s, after which time begins again: every frequency is a whole number of 1 / WIND_PERIOD
+#define WIND_PERIOD 1024.0f      // s, after which time begins again: all frequencies are whole multiples of its inverse
 #define WIND_GUST_PERIOD 4096.0f // m, likewise of the field of gusts
 #define WIND_MOST_LEAN 0.25f     // m that the top of a plant gives way for each metre of its height
 #define WIND_FLUTTER 0.02f       // m that leaves do for each metre of the plant's height
@@ -15,7 +15,7 @@ SHARED_BEGIN
 
 struct Wind { // of one frame
     vec2 towards; float speed; float gustiness; // unit, x and z; m/s, 0: nothing sways; 0..1
-    vec2 anchor;  vec2 origin;                  // a place near the eye, m: in the world, and in the field along and across
+    vec2 anchor;  vec2 origin;                  // near the eye, m: in the world, and in the field along and across
     float time;   float unused0; float unused1; float unused2; // s, in [0, WIND_PERIOD)
 };
 SHARED_STRUCT_END(Wind, 48)
@@ -27,7 +27,8 @@ SHARED_FUNCTION float windWave(float x)
     return t * t * (3.0f - 2.0f * t);
 }
 
-// From the world into the field, which the mean wind carries along (Taylor's frozen turbulence). The position is the sum of two floats.
+// From the world into the field, which the mean wind carries along (Taylor's frozen turbulence). The position is the sum
+// of two floats.
 SHARED_FUNCTION vec2 windPlace(Wind w, vec2 high, vec2 low)
 {
     vec2 p = (high - w.anchor) + low;
@@ -75,7 +76,8 @@ SHARED_FUNCTION float windReach(vec2 most, float give)
     return give * most.x + min(give * WIND_FLUTTER, WIND_MOST_FLUTTER) * most.y;
 }
 
-// Unlike that of others: a part of a turn, in 256ths. A step of Jarzynski and Olano, "Hash Functions for GPU Rendering" (2020).
+// Unlike that of others: a part of a turn, in 256ths. A step of Jarzynski and Olano, "Hash Functions for GPU Rendering"
+// (2020).
 SHARED_FUNCTION uint windPhase(uint object)
 {
     uint h = object * 747796405u + 2891336453u;
@@ -88,8 +90,8 @@ struct Sway { // of one plant in one frame
     float flutter; // m that leaves do
 };
 
-// `amount` is 0 of a rock, 1 of a plant that gives way freely; `height` in m. Tall trees swing slowly (Moore and Maguire,
-// "Natural sway frequencies and damping ratios of trees", 2004).
+// `amount` is 0 of a rock, 1 of a plant that gives way freely; `height` in m. Tall trees swing slowly (Moore and
+// Maguire, "Natural sway frequencies and damping ratios of trees", 2004).
 SHARED_FUNCTION Sway windSway(Wind w, vec2 place, float amount, float height, uint phase)
 {
     float speed = windSpeed(w, place);
@@ -114,7 +116,8 @@ SHARED_FUNCTION uint swayFlutter(Sway sway) // in 255ths of the most
     return uint(clamp(sway.flutter * (255.0f / WIND_MOST_FLUTTER) + 0.5f, 0.0f, 255.0f));
 }
 
-// Where a point of a plant goes, both from its root, m. `share`: its height, of the plant's. Its distance from the root stays.
+// Where a point of a plant goes, both from its root, m. `share`: its height, of the plant's. Its distance from the root
+// stays.
 SHARED_FUNCTION vec3 windBent(vec3 point, vec2 top, float share)
 {
     float up = max(share, 0.0f);
@@ -122,7 +125,8 @@ SHARED_FUNCTION vec3 windBent(vec3 point, vec2 top, float share)
     return moved * sqrt(dot(point, point) / max(dot(moved, moved), 1e-12f));
 }
 
-// What leaves add to that: a wave that runs through the crown, at most 1 long. `point` in m, any axes; `time` as of Wind.
+// What leaves add to that: a wave that runs through the crown, at most 1 long. `point` in m, any axes; `time` as of
+// Wind.
 SHARED_FUNCTION vec3 windLeaf(vec3 point, float share, float time, float phase)
 {
     float along = dot(point, vec3(0.31f, 0.23f, 0.37f)) + phase;
