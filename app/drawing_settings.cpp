@@ -12,10 +12,9 @@ namespace {
 struct Coming {
     std::string_view key, now;
 };
-constexpr std::array<Coming, 6> kComing{{{"ao", "off"},
+constexpr std::array<Coming, 5> kComing{{{"ao", "off"},
                                          {"grass", "off"},
                                          {"bloom", "off"},
-                                         {"wind", "off"},
                                          {"terrain", "grid"},
                                          {"sky", "tables"}}};
 
@@ -45,11 +44,12 @@ struct Tier {
     float shadowDistance; // m
     float lodPixels;
     renderer::AntiAliasing antiAliasing;
+    bool wind;
 };
-constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, 2.5f, renderer::AntiAliasing::Off},
-                                      {Quality::Medium, 3, 1024, 250, 1.75f, renderer::AntiAliasing::Fxaa},
-                                      {Quality::High, 4, 2048, 1000, 1, renderer::AntiAliasing::Fxaa},
-                                      {Quality::Ultra, 4, 8192, 1e6f, 0.6f, renderer::AntiAliasing::Fxaa}}};
+constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, 2.5f, renderer::AntiAliasing::Off, false},
+                                      {Quality::Medium, 3, 1024, 250, 1.75f, renderer::AntiAliasing::Fxaa, false},
+                                      {Quality::High, 4, 2048, 1000, 1, renderer::AntiAliasing::Fxaa, true},
+                                      {Quality::Ultra, 4, 8192, 1e6f, 0.6f, renderer::AntiAliasing::Fxaa, true}}};
 
 // What a tier needs, a second. A frame of 1280x720 draws half a million triangles for the camera and each cascade.
 struct Need {
@@ -105,6 +105,7 @@ void applyQuality(Quality quality, std::string_view device, renderer::Settings& 
         settings.farthestShadow = tier.shadowDistance;
         settings.lodPixels = tier.lodPixels;
         settings.antiAliasing = tier.antiAliasing;
+        settings.wind = tier.wind;
     }
 }
 

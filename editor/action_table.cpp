@@ -229,7 +229,7 @@ void viewActions(Actions& a, Editor& e)
            .run = [&e] { e.viewport().showStatistics = !e.viewport().showStatistics; },
            .checked = [&e] { return e.viewport().showStatistics; }});
     a.add({.id = "freeze_culling",
-           .keys = {.key = Key::F4},
+           .keys = {.key = Key::F7},
            .run = [&e] { e.viewport().freezeCulling = !e.viewport().freezeCulling; },
            .enabled = open,
            .checked = [&e] { return e.viewport().freezeCulling; }});
@@ -243,6 +243,7 @@ void viewActions(Actions& a, Editor& e)
            .enabled = open,
            .checked = [&e] { return e.show == renderer::Show::Nodes; }});
     a.add({.id = "animate",
+           .keys = {.key = Key::F4},
            .run = [&e] { e.setAnimates(!e.animates()); },
            .checked = [&e] { return e.animates(); }});
     a.add({.id = "rendering", .run = [&e] { e.workspace().bringToFront("rendering"); }});

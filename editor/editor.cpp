@@ -23,10 +23,15 @@ namespace editor {
 namespace {
 
 constexpr double kQuietAfter = 0.5; // s without anything happening until the picture counts as at rest
-constexpr double kDrift = 1 / 30.0; // s between frames of what drifts by itself, and of a progress bar
+constexpr double kProgress = 1 / 30.0; // s between frames of a progress bar
 constexpr double kBlink = 0.4;      // s; divides the times a text cursor is seen and unseen
 constexpr double kHitch = 0.25;     // s; a slow frame uses up no more of what is shown for a while
 constexpr double kRest = 0.1;       // s of waiting that make a pause between two frames
+
+bool sways(const io::Scene::TemplateSlot& slot)
+{
+    return slot.value && slot.value->wind > 0;
+}
 
 } // namespace
 
@@ -279,16 +284,19 @@ void Editor::noteActivity(double seconds)
 
 bool Editor::drifts() const
 {
-    if (!animates() || !m_document || !renderSettings.clouds) return false;
-    const io::Clouds& clouds = m_document->scene().environment().clouds;
-    return clouds.speed != 0 && clouds.coverage > 0;
+    if (!animates() || !m_document) return false;
+    const io::Environment& environment = m_document->scene().environment();
+    const bool clouds = renderSettings.clouds && environment.clouds.speed != 0 && environment.clouds.coverage > 0;
+    const bool wind = renderSettings.wind && environment.wind.speed > 0;
+    return clouds || (wind && std::ranges::any_of(m_document->scene().templates(), sways));
 }
 
 double Editor::nextFrameIn() const
 {
     if (m_quiet < kQuietAfter) return 0;
     double next = m_toasts.nextChange();
-    if (drifts() || m_loading.busy()) next = std::min(next, kDrift);
+    if (drifts()) next = std::min({next, 1 / m_host.frameRate(), kRest});
+    if (m_loading.busy()) next = std::min(next, kProgress);
     if (ImGui::GetIO().WantTextInput) next = std::min(next, kBlink);
     return next;
 }

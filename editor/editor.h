@@ -82,7 +82,7 @@ public:
     io::TemplateId chosenTemplate = io::TemplateId::None;
     bool inspectTemplate = false;
 
-    // What drifts by itself (clouds) does so only while this is on: otherwise an untouched window draws nothing.
+    // What drifts by itself (clouds, plants in the wind) does so only while this is on: otherwise an untouched window draws nothing.
     bool animates() const { return m_animates.value_or(animateByDefault); }
     void setAnimates(bool on) { m_animates = on; }
     bool animateByDefault = false; // until a person has chosen

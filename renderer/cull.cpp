@@ -11,9 +11,10 @@ void see(const CullScene& scene, const glsl::CullView& view, std::uint32_t slot,
     const glsl::CullModel& model = scene.models[record.model];
     const glsl::LevelChoice choice = glsl::chooseLevel(record, model, view);
     const bool fading = choice.share < DRAWN_FADE_STEPS;
-    const std::uint32_t kind = glsl::binOf(model, record, 0, fading);
+    const bool swaying = glsl::swayShown(record, model, view) > 0;
+    const std::uint32_t kind = glsl::binOf(model, record, 0, fading, swaying);
     const auto add = [&](std::uint32_t level, std::uint32_t fade) {
-        seen.push_back({slot | level << DRAWN_LEVEL_SHIFT | fade << DRAWN_FADE_SHIFT, kind + level * 4});
+        seen.push_back({slot | level << DRAWN_LEVEL_SHIFT | fade << DRAWN_FADE_SHIFT, kind + level * BINS_OF_LEVEL});
     };
     const auto level = std::uint32_t(choice.level);
     if (!fading) return add(level, 0);
@@ -37,6 +38,10 @@ glsl::CullView cullView(const CullRequest& request, std::size_t instances)
     view.refused = request.refused;
     view.count = std::uint32_t(instances);
     view.impostors = request.impostors;
+    view.windMost = glsl::windMost(request.wind);
+    view.swayAngle = request.swayAngle;
+    view.swayLength = request.swayLength;
+    view.wind = request.wind;
     return view;
 }
 

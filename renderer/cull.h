@@ -22,6 +22,9 @@ struct CullRequest {
     float errorLength = 0;               // m, the same for parallel light
     bool impostors = false;              // they will do
     std::optional<glm::dvec3> sortedFor; // what blends; none: for the eye
+    glsl::Wind wind{};                   // speed 0: nothing sways
+    float swayAngle = 0;                 // way / distance under which sway is left out
+    float swayLength = 0;                // m, the same for parallel light
     std::uint32_t required = 0;          // flags
     std::uint32_t refused = 0;
 };

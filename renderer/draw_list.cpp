@@ -114,10 +114,11 @@ public:
     void add(std::vector<DrawRange>& ranges, int batch, const Bin& bin, const DrawCommand& command)
     {
         if (ranges.empty() || m_apart || ranges.back().batch != batch || ranges.back().mirrored != bin.mirrored ||
-            ranges.back().fading != bin.fading)
+            ranges.back().fading != bin.fading || ranges.back().swaying != bin.swaying)
             ranges.push_back({.batch = batch,
                               .mirrored = bin.mirrored,
                               .fading = bin.fading,
+                              .swaying = bin.swaying,
                               .commandOffset = m_commands.size() * sizeof(DrawCommand)});
         m_commands.push_back(command);
         ++ranges.back().commands;
@@ -179,7 +180,8 @@ std::vector<PartInBatch> opaqueParts(const ModelLibrary& models, const Binned& b
     }
     std::ranges::stable_sort(parts, {}, [&](const PartInBatch& p) {
         const bool holes = hasHoles(models.batches()[std::size_t(p.batch)]);
-        return std::tuple{holes, p.band, models.bins()[p.bin].fading, p.batch, models.bins()[p.bin].mirrored};
+        const Bin& bin = models.bins()[p.bin];
+        return std::tuple{holes, p.band, bin.fading, bin.swaying, p.batch, bin.mirrored};
     });
     return parts;
 }
@@ -220,7 +222,8 @@ bool standInRow(const ModelLibrary& models, const Binned& bins)
 {
     for (std::uint32_t bin = 0; bin + 1 < bins.begin.size(); ++bin) {
         if (bins.count(bin) == 0) continue;
-        if (models.bins()[bin].fading || models.bins()[bin].level > 0) return false;
+        const Bin& kind = models.bins()[bin];
+        if (kind.fading || kind.swaying || kind.level > 0) return false;
         const auto [least, most] =
             std::minmax_element(bins.drawn.begin() + bins.begin[bin], bins.drawn.begin() + bins.begin[bin + 1]);
         if (*most - *least + 1 != bins.count(bin)) return false;
@@ -236,18 +239,36 @@ void orderAsTheyStand(Binned& bins)
     std::ranges::fill(bins.band, std::uint8_t(0));
 }
 
+// As bend() of cull.comp.glsl does.
+void bend(glsl::Instance& copy, const DrawSource& source, std::uint32_t slot)
+{
+    const glsl::CullView& view = *source.wind;
+    const glsl::CullRecord& record = source.records[slot];
+    const float shown = glsl::swayShown(record, source.models.cullModels()[record.model], view);
+    const glm::vec3 high = copy.positionHigh, low = copy.positionLow;
+    const glm::vec2 place = glsl::windPlace(view.wind, {high.x, high.z}, {low.x, low.z});
+    const std::uint32_t phase = glsl::windPhase(copy.objectId);
+    const glsl::Sway sway = glsl::windSway(view.wind, place, copy.axisX.w * shown, copy.axisY.w, phase);
+    copy.drawn |= phase << DRAWN_PHASE_SHIFT | glsl::swayFlutter(sway) << DRAWN_FLUTTER_SHIFT;
+    copy.axisX.w = sway.top.x;
+    copy.axisY.w = sway.top.y;
+}
+
 // Software GL reads an attribute of an instance many times faster than it fetches a record for each vertex, and a view
 // draws few of all instances.
-GpuStream::Piece copies(GpuStream& stream, std::span<const glsl::Instance> instances, std::span<const std::uint32_t> drawn)
+GpuStream::Piece copies(GpuStream& stream, const DrawSource& source, const Binned& bins)
 {
-    const GpuStream::Piece piece = stream.take(drawn.size() * sizeof(glsl::Instance));
+    const GpuStream::Piece piece = stream.take(bins.drawn.size() * sizeof(glsl::Instance));
     std::byte* to = piece.bytes.data();
-    for (const std::uint32_t one : drawn) {
-        glsl::Instance copy = instances[one & DRAWN_SLOT_MASK];
-        copy.drawn = (copy.drawn & DRAWN_FLAGS_MASK) | (one & ~DRAWN_SLOT_MASK);
-        std::memcpy(to, &copy, sizeof copy);
-        to += sizeof copy;
-    }
+    for (std::size_t bin = 0; bin + 1 < bins.begin.size(); ++bin)
+        for (std::uint32_t i = bins.begin[bin]; i < bins.begin[bin + 1]; ++i) {
+            const std::uint32_t one = bins.drawn[i], slot = one & DRAWN_SLOT_MASK;
+            glsl::Instance copy = source.instances[slot];
+            copy.drawn = (copy.drawn & DRAWN_FLAGS_MASK) | (one & ~DRAWN_SLOT_MASK);
+            if (source.models.bins()[bin].swaying) bend(copy, source, slot);
+            std::memcpy(to, &copy, sizeof copy);
+            to += sizeof copy;
+        }
     return piece;
 }
 
@@ -277,7 +298,7 @@ DrawList makeDrawList(GpuStream& stream, const DrawSource& source)
             if (list.blended.size() > ranges) list.blended.back().distance = part.distance;
         }
     if (commands.empty()) return list;
-    list.instances = inPlace ? GpuStream::Piece{.buffer = source.recordBuffer} : copies(stream, source.instances, bins.drawn);
+    list.instances = inPlace ? GpuStream::Piece{.buffer = source.recordBuffer} : copies(stream, source, bins);
     if (source.direct) list.calls = std::move(commands);
     else list.commands = stream.put(std::span<const DrawCommand>{commands});
     return list;
@@ -323,6 +344,9 @@ gl::VertexArray makeObjectVertexArray()
     array.attribute(9, 1, 3, GL_FLOAT, offsetof(glsl::Instance, axisX));
     array.attribute(10, 1, 3, GL_FLOAT, offsetof(glsl::Instance, axisY));
     array.attribute(11, 1, 3, GL_FLOAT, offsetof(glsl::Instance, axisZ));
+    array.attribute(12, 1, 1, GL_FLOAT, offsetof(glsl::Instance, axisX) + 12);
+    array.attribute(13, 1, 1, GL_FLOAT, offsetof(glsl::Instance, axisY) + 12);
+    array.attribute(14, 1, 1, GL_FLOAT, offsetof(glsl::Instance, axisZ) + 12);
     array.perInstance(1);
     return array;
 }

@@ -23,6 +23,7 @@ struct DrawRange {
     int batch = 0;
     bool mirrored = false;
     bool fading = false;           // drawn through a pattern of holes
+    bool swaying = false;          // moved by the wind
     std::size_t commandOffset = 0; // bytes into the command buffer
     std::uint32_t commands = 0;
     std::uint64_t triangles = 0;
@@ -52,6 +53,7 @@ struct DrawSource {
     std::span<const glsl::CullRecord> records = {}; // to sort by distance; none: drawn as they come
     glm::dvec3 eye{0};
     std::optional<glm::dvec3> towardSun;            // of parallel light: distance is counted from there
+    const glsl::CullView* wind = nullptr;           // what bins that sway are moved by
 };
 DrawList makeDrawList(GpuStream& stream, const DrawSource& source);
 

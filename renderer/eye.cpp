@@ -1,5 +1,7 @@
 #include "renderer/eye.h"
 
+#include "renderer/shaders/shared/wind.h"
+
 #include <cmath>
 
 namespace renderer {
@@ -100,7 +102,7 @@ glsl::View viewBlock(const Eye& eye, const glm::dmat4& clipFromRelative, double 
     view.eyeHigh = high(eye.position);
     view.eyeLow = glm::vec3{eye.position - glm::dvec3{view.eyeHigh}};
     view.eyeHeight = float(eye.position.y);
-    view.time = float(std::fmod(time, 86400.0));
+    view.time = float(std::fmod(time, double(WIND_PERIOD)));
     view.near = float(kNear);
     view.forward = glm::vec3{eye.forward};
     view.right = glm::vec3{eye.right * (eye.tanHalfFov * eye.aspect)};

@@ -1,6 +1,7 @@
 #include "renderer/debug_lines.h"
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/state.h"
+#include "renderer/wind.h"
 
 #include <algorithm>
 
@@ -9,6 +10,7 @@ namespace {
 
 constexpr int kLargestSide = 16384;      // pixels; every OpenGL 4.5 has textures of that size
 constexpr double kSmallestPixels = 0.6; // diameter under which an object is left out
+constexpr double kLeastSway = 0.5;      // pixels
 
 bool needsLight(Show show) // or only what surfaces are
 {
@@ -72,10 +74,12 @@ Viewpoint Renderer::State::look(const FrameInput& in) const
     io::Environment environment = scenery.environment;
     environment.shadows = capped(environment.shadows, in.settings);
     Viewpoint v;
+    v.time = in.time;
     v.eye = eyeOf(in.camera, glm::clamp(in.size, 1, kLargestSide));
     v.culledFor = frozen ? frozen->eye : v.eye;
     v.frozen = frozen.has_value();
     v.towardSun = io::towardSun(environment);
+    v.wind = windOf(environment.wind, in.settings.wind, v.eye.position, in.time);
     v.view = viewBlock(v.eye, v.eye.clipFromRelative, in.time, environment.exposure);
     const bool sunUp = v.towardSun.y > -0.02;
     if (in.settings.shadows && sunUp) v.cascades = cascadesOf(v.eye, environment.shadows, v.towardSun);
@@ -108,6 +112,8 @@ GeometryPass::Drawn Renderer::State::drawSurfaces(GpuFrame& gpu, const FrameInpu
                               .errorAngle = in.settings.lod ? in.settings.lodPixels * pixel : 0.0f,
                               .impostors = true,
                               .sortedFor = viewpoint.eye.position,
+                              .wind = viewpoint.wind,
+                              .swayAngle = float(kLeastSway * pixel),
                               .refused = in.markers ? 0u : CULL_MARKER};
     const Occlusion occlusion = occlusionOf(in.settings);
     stats.occlusionTested = occlusion != Occlusion::Off;

@@ -48,23 +48,24 @@ void CullTable::update(const ModelLibrary& models)
     const std::span<const Bin> bins = models.bins();
     for (std::uint32_t bin = 0; bin < bins.size(); ++bin) {
         const ModelEntry& model = models.entry(bins[bin].model);
-        if (model.blended) continue;
+        if (model.blended || (bins[bin].swaying && !model.sways)) continue;
         for (const ModelPart& part : model.levels[std::size_t(bins[bin].level)].parts)
             placed.push_back({bin, &part});
     }
     std::ranges::stable_sort(placed, {}, [&](const Placed& p) {
         const bool holes = hasHoles(models.batches()[std::size_t(p.part->batch)]);
-        return std::tuple{holes, bins[p.bin].fading, p.part->batch, bins[p.bin].mirrored};
+        return std::tuple{holes, bins[p.bin].fading, bins[p.bin].swaying, p.part->batch, bins[p.bin].mirrored};
     });
     m_ranges.clear();
     std::vector<glsl::CullPart> parts;
     for (const Placed& p : placed) {
         const Bin& bin = bins[p.bin];
         if (m_ranges.empty() || m_ranges.back().batch != p.part->batch || m_ranges.back().mirrored != bin.mirrored ||
-            m_ranges.back().fading != bin.fading)
+            m_ranges.back().fading != bin.fading || m_ranges.back().swaying != bin.swaying)
             m_ranges.push_back({.batch = p.part->batch,
                                 .mirrored = bin.mirrored,
                                 .fading = bin.fading,
+                                .swaying = bin.swaying,
                                 .commandOffset = parts.size() * sizeof(DrawCommand)});
         ++m_ranges.back().commands;
         parts.push_back({.firstIndex = p.part->firstIndex,

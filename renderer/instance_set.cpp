@@ -40,7 +40,8 @@ std::uint64_t writeInto(gl::Buffer& buffer, std::string_view label, const std::v
 io::WorldBox boxOf(const glsl::CullRecord& record)
 {
     const glm::dvec3 centre{record.centre};
-    return {centre - double(record.radius), centre + double(record.radius)};
+    const double reach = double(record.radius + record.sway * WIND_MOST_REACH);
+    return {centre - reach, centre + reach};
 }
 
 std::uint32_t InstanceSet::add(std::uint32_t slot)
@@ -126,6 +127,7 @@ std::uint64_t InstanceSet::upload(Wanted wanted)
 
 DrawList InstanceSet::draws(GpuStream& stream, const View& view) const
 {
+    const glsl::CullView wind = cullView(view.request, m_records.size());
     const CullScene scene{.records = m_cullRecords, .models = view.models.cullModels(), .tree = &m_tree};
     const glsl::CullCounts counts = cull(scene, view.request, m_seen);
     DrawList list = makeDrawList(stream, {.models = view.models,
@@ -137,7 +139,8 @@ DrawList InstanceSet::draws(GpuStream& stream, const View& view) const
                                           .recordBuffer = view.direct && m_onGpu ? m_recordBuffer.id() : 0,
                                           .records = m_cullRecords,
                                           .eye = view.request.sortedFor.value_or(view.request.eye),
-                                          .towardSun = view.request.towardSun});
+                                          .towardSun = view.request.towardSun,
+                                          .wind = &wind});
     list.counts = counts;
     return list;
 }

@@ -61,6 +61,6 @@ private:
     mutable std::vector<Seen> m_seen; // kept between frames for its memory
 };
 
-io::WorldBox boxOf(const glsl::CullRecord& record);
+io::WorldBox boxOf(const glsl::CullRecord& record); // in any wind
 
 } // namespace renderer

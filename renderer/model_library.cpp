@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
+#include <utility>
 
 namespace renderer {
 namespace {
@@ -300,9 +301,10 @@ int ModelLibrary::add(const std::shared_ptr<const io::Model>& model, bool impost
     if (impostor) addImpostor(*model, entry);
     entry.firstBin = std::uint32_t(m_bins.size());
     for (int level = 0; level < int(entry.levels.size()); ++level)
-        for (const bool mirrored : {false, true})
-            for (const bool fading : {false, true})
-                m_bins.push_back({.model = size(), .level = level, .mirrored = mirrored, .fading = fading});
+        for (const bool swaying : {false, true})
+            for (const bool mirrored : {false, true})
+                for (const bool fading : {false, true})
+                    m_bins.push_back({.model = size(), .level = level, .mirrored = mirrored, .fading = fading, .swaying = swaying});
     ++m_revision;
     m_blends |= entry.blended;
     m_cullModels.push_back(cullModelOf(entry));
@@ -310,6 +312,12 @@ int ModelLibrary::add(const std::shared_ptr<const io::Model>& model, bool impost
     m_models.push_back(model);
     m_known.emplace(key, size() - 1);
     return size() - 1;
+}
+
+void ModelLibrary::letSway(int model)
+{
+    ModelEntry& entry = m_entries[std::size_t(model)];
+    if (!std::exchange(entry.sways, true)) ++m_revision;
 }
 
 void ModelLibrary::upload()

@@ -64,17 +64,18 @@ struct ModelEntry {
     glm::vec3 centre{0};    // of the sphere around the bounds
     float radius = 0;
     bool blended = false;   // has parts that blend, which cannot fade
+    bool sways = false;     // some template of it does
     std::uint32_t firstBin = 0;
 };
 
-// What is drawn alike goes into one bin: one level of one model, as it is or mirrored, whole or fading.
+// What is drawn alike goes into one bin: one level of one model, as it is or mirrored, whole or fading, still or swaying.
 struct Bin {
     int model = 0, level = 0;
-    bool mirrored = false, fading = false;
+    bool mirrored = false, fading = false, swaying = false;
 };
 constexpr std::uint32_t binIndex(const ModelEntry& model, int level, bool mirrored, bool fading)
 {
-    return model.firstBin + std::uint32_t(level) * 4 + (mirrored ? 2 : 0) + (fading ? 1 : 0);
+    return model.firstBin + std::uint32_t(level) * BINS_OF_LEVEL + (mirrored ? 2 : 0) + (fading ? 1 : 0);
 }
 
 class ModelLibrary {
@@ -83,6 +84,7 @@ public:
 
     // The same model gives the same number. `impostor`: it may be drawn as a picture of itself where it is small.
     int add(const std::shared_ptr<const io::Model>& model, bool impostor = false);
+    void letSway(int model);
     const ModelEntry& entry(int model) const { return m_entries[std::size_t(model)]; }
     const io::Model& source(int model) const { return *m_models[std::size_t(model)]; }
     int size() const { return int(m_entries.size()); }

@@ -91,7 +91,17 @@ void PlacedModels::place(InstancePlace at, const Placement& placement)
     const std::uint32_t flags =
         placement.flags | (isMirrored(transform) ? CULL_MIRRORED : 0) | (model.blended ? CULL_BLENDS : 0);
     const std::uint32_t number = isDirect() ? 0 : std::uint32_t(placement.model);
-    m_sets[at.set]->instances.set(at.row, instanceOf(transform, placement.id), cullRecord(centre, radius, number, flags));
+    glsl::Instance instance = instanceOf(transform, placement.id);
+    glsl::CullRecord record = cullRecord(centre, radius, number, flags);
+    if (placement.wind > 0 && model.bounds.max.y > 0) {
+        m_sets[at.set]->models.letSway(int(number));
+        const float height = model.bounds.max.y * size.y;
+        instance.axisX.w = placement.wind;
+        instance.axisY.w = height;
+        instance.axisZ.w = 1 / model.bounds.max.y;
+        record.sway = placement.wind * height;
+    }
+    m_sets[at.set]->instances.set(at.row, instance, record);
 }
 
 io::Result<InstanceHandle> PlacedModels::add(const Placement& placement)

@@ -18,6 +18,7 @@ struct Placement {
     io::Transform transform;
     io::ObjectId id = io::ObjectId::None;
     std::uint32_t flags = 0; // CULL_CASTS_SHADOW, CULL_MARKER
+    float wind = 0;          // how freely it sways, 0..1
 };
 
 enum class Tint { None, Selected };

@@ -26,6 +26,8 @@ struct Viewpoint {
     glm::dvec3 towardSun{0, 1, 0};
     std::vector<Cascade> cascades; // empty: no shadows
     glsl::View view;
+    glsl::Wind wind;
+    double time = 0; // s
     glsl::Light light;
 };
 

@@ -23,6 +23,7 @@ struct Settings {
     bool shadows = true;
     bool clouds = true;
     bool fog = true;
+    bool wind = true;
     AntiAliasing antiAliasing = AntiAliasing::Fxaa;
     ToneMap toneMap = ToneMap::Agx;
     Shading shading = Shading::Pbr;
@@ -50,6 +51,7 @@ void fields(auto& v, io::Of<Settings> auto& s)
     v("shadows", s.shadows, io::Hint{});
     v("clouds", s.clouds, io::Hint{});
     v("fog", s.fog, io::Hint{});
+    v("wind", s.wind, io::Hint{});
     v("aa", s.antiAliasing, io::Hint{});
     v("tonemap", s.toneMap, io::Hint{});
     v("shading", s.shading, io::Hint{});

@@ -48,6 +48,7 @@ void World::rebuild(const io::Scene& scene, const io::Assets& assets)
 
     m_handleOf.clear();
     m_bounds = {};
+    m_mostSway = 0;
     m_selection.clear();
     m_touched.clear();
     ++m_revision;
@@ -74,6 +75,7 @@ void World::readTemplate(const io::Scene& scene, const io::Assets& assets, io::T
             state.model = on(state.path).registerModel(assets.models[slot], value->impostor);
         state.castShadow = value->castShadow && !value->model.empty();
         state.marker = value->model.empty();
+        state.wind = value->wind;
     }
     m_templates[slot] = state;
 }
@@ -130,7 +132,8 @@ void World::place(const io::Object& object)
     const Placement placement{.model = state.model,
                               .transform = object.transform,
                               .id = object.id,
-                              .flags = (state.castShadow ? CULL_CASTS_SHADOW : 0u) | (state.marker ? CULL_MARKER : 0u)};
+                              .flags = (state.castShadow ? CULL_CASTS_SHADOW : 0u) | (state.marker ? CULL_MARKER : 0u),
+                              .wind = state.wind};
     PlacedModels& models = on(state.path);
     InstanceHandle handle = handleOf(object.id);
     markPlace(handle);
@@ -146,6 +149,7 @@ void World::place(const io::Object& object)
         m_selectionStale = true; // it may be one that was selected before it was away
     }
     m_bounds.add(boxOf(*models.find(handle)));
+    m_mostSway = std::max(m_mostSway, models.find(handle)->sway);
     markPlace(handle);
 }
 
@@ -154,7 +158,7 @@ void World::markPlace(InstanceHandle handle)
     const glsl::CullRecord* record = on(handle.path()).find(handle);
     if (!record || m_growing || m_touched.size() > kFewPlaces) return;
     if (m_touched.size() == kFewPlaces) ++m_revision;
-    m_touched.emplace_back(record->centre, record->radius);
+    m_touched.emplace_back(record->centre, record->radius + record->sway * WIND_MOST_REACH);
 }
 
 void World::remove(io::ObjectId id)

@@ -40,6 +40,7 @@ public:
     std::size_t instances() const { return m_handleOf.size(); }
     io::WorldBox boundsOf(std::span<const io::ObjectId> ids) const;
     io::WorldBox bounds() const { return m_bounds; } // at least everything; does not shrink until the next scene
+    float mostSway() const { return m_mostSway; }    // of CullRecord::sway; likewise
     std::uint64_t uploadedBytes() const { return m_uploadedBytes; } // of instances, since the start
     std::uint64_t revision() const { return m_revision; }           // counts changes of what all is drawn with
 
@@ -53,6 +54,7 @@ private:
         int model = -1; // of that path
         bool castShadow = true;
         bool marker = false;
+        float wind = 0;
         bool shows(const TemplateState& other) const { return path == other.path && model == other.model; }
     };
     PlacedModels& on(io::DrawPath path) { return path == io::DrawPath::Direct ? m_direct : m_batched; }
@@ -79,6 +81,7 @@ private:
     bool m_selectionStale = false;
     std::vector<glm::dvec4> m_touched;
     io::WorldBox m_bounds;
+    float m_mostSway = 0;
     std::uint64_t m_uploadedBytes = 0;
     std::uint64_t m_revision = 0;
 };

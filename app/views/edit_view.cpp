@@ -103,6 +103,7 @@ void EditView::frameTook(double seconds)
     m_slowFrames = 0;
     io::log::info("a frame takes {:.0f} ms here: quality {}", seconds * 1e3, nameOf(*m_lower));
     applyQuality(*m_lower, m_renderer.deviceName(), m_editor->renderSettings);
+    applyToDrawing(m_options, m_editor->renderSettings); // what was asked for by name stays
     m_lower = lowerThan(*m_lower);
 }
 

@@ -41,6 +41,13 @@ struct Clouds {
     bool operator==(const Clouds&) const = default;
 };
 
+struct Wind {
+    float speed = 3;         // m/s, in the mean; 0: nothing sways
+    float direction = 70;    // degrees clockwise from north that it blows towards
+    float gustiness = 0.4f;  // share of the speed by which gusts and lulls differ from it, 0..1
+    bool operator==(const Wind&) const = default;
+};
+
 struct Fog {
     float density = 0.00012f; // extinction at height `base`, per m
     float height = 220;       // scale height over which it thins out, m
@@ -67,6 +74,7 @@ struct Environment {
     Sun sun;
     Sky sky;
     Clouds clouds;
+    Wind wind;
     Fog fog;
     Shadows shadows;
     Extra extra;

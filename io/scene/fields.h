@@ -67,6 +67,13 @@ void fields(auto& v, Of<Clouds> auto& c)
     v("direction", c.direction, Hint{.min = -360, .max = 360, .unit = "deg"});
 }
 
+void fields(auto& v, Of<Wind> auto& w)
+{
+    v("speed", w.speed, Hint{.min = 0, .max = 60, .unit = "m/s"});
+    v("direction", w.direction, Hint{.min = -360, .max = 360, .unit = "deg"});
+    v("gustiness", w.gustiness, Hint{.min = 0, .max = 1});
+}
+
 void fields(auto& v, Of<Fog> auto& f)
 {
     v("density", f.density, Hint{.min = 0, .max = 0.1, .unit = "1/m", .style = Style::Logarithmic});
@@ -94,6 +101,7 @@ void fields(auto& v, Of<Environment> auto& e)
     v("sun", e.sun, Hint{});
     v("sky", e.sky, Hint{});
     v("clouds", e.clouds, Hint{});
+    v("wind", e.wind, Hint{});
     v("fog", e.fog, Hint{});
     v("shadows", e.shadows, Hint{});
 }
@@ -161,6 +169,7 @@ void fields(auto& v, Of<Template> auto& t)
     v("cast_shadow", t.castShadow, Hint{});
     v("impostor", t.impostor, Hint{});
     v("draw_path", t.drawPath, Hint{});
+    v("wind", t.wind, Hint{.min = 0, .max = 1});
 }
 
 void fields(auto& v, Of<Transform> auto& t)

@@ -26,6 +26,7 @@ struct Template {
     bool castShadow = true;
     bool impostor = false;         // drawn as a picture of itself where it is small
     DrawPath drawPath = DrawPath::Batched;
+    float wind = 0;                // how freely it sways: 0 a rock, 1 a reed
     Extra extra;
 
     bool operator==(const Template&) const = default;

@@ -89,7 +89,7 @@ const Entry kForest[] = {
                           .twigSides = 4,
                           .triangles = 3600});
      },
-     treeLook(0.6f, 0.2f)},
+     treeLook(0.6f, 0.2f, 0)},
     {"Stump",
      "Deadwood",
      [] {

@@ -2,14 +2,15 @@
 
 namespace make {
 
-io::Template treeLook(float footprint, float sink)
+io::Template treeLook(float footprint, float sink, float wind)
 {
     return {.scale = {0.85f, 1.18f},
             .tilt = 2.5f,
             .sink = sink,
             .collision = io::Collision::Capsule,
             .footprint = footprint,
-            .impostor = true};
+            .impostor = true,
+            .wind = wind};
 }
 io::Template stoneLook(glm::vec2 scale, float sink, float tilt)
 {
@@ -17,7 +18,7 @@ io::Template stoneLook(glm::vec2 scale, float sink, float tilt)
 }
 io::Template plantLook(glm::vec2 scale, float sink)
 {
-    return {.scale = scale, .tilt = 5, .sink = sink, .collision = io::Collision::None, .impostor = true};
+    return {.scale = scale, .tilt = 5, .sink = sink, .collision = io::Collision::None, .impostor = true, .wind = 0.8f};
 }
 io::Template tuftLook(glm::vec2 scale)
 {
@@ -25,6 +26,7 @@ io::Template tuftLook(glm::vec2 scale)
     look.alignToGround = true;
     look.castShadow = false;
     look.impostor = false;
+    look.wind = 1;
     return look;
 }
 io::Template builtLook(float footprint, float sink)

@@ -6,7 +6,7 @@
 
 namespace make {
 
-io::Template treeLook(float footprint, float sink = 0.1f);
+io::Template treeLook(float footprint, float sink = 0.1f, float wind = 0.6f);
 io::Template stoneLook(glm::vec2 scale, float sink, float tilt = 12);
 io::Template plantLook(glm::vec2 scale, float sink);
 io::Template tuftLook(glm::vec2 scale);

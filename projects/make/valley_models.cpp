@@ -35,7 +35,7 @@ const Entry kValley[] = {
                           .twigs = 2,
                           .triangles = 620});
      },
-     treeLook(0.6f, 0.2f)},
+     treeLook(0.6f, 0.2f, 0)},
     {"dead_branch",
      "Deadwood",
      [] {

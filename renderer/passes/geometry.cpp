@@ -60,7 +60,7 @@ void GeometryPass::drawObjects(GpuFrame& gpu, const DrawList& objects)
                    .cull = GLenum(batch.twoSided ? GL_NONE : GL_BACK),
                    .clockwise = range.mirrored});
         bindArrays(gpu, *objects.models, batch);
-        return gpu.use(m_programs.of(batch, range.fading));
+        return gpu.use(m_programs.of(batch, range.fading, range.swaying));
     });
 }
 

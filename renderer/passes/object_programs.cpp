@@ -11,13 +11,14 @@ ObjectPrograms::ObjectPrograms(ShaderLibrary& shaders, std::string fragment, std
     of({}); // the plain one at once, so that a faulty text shows at the start
 }
 
-const gl::Program& ObjectPrograms::of(const Batch& batch, bool fading)
+const gl::Program& ObjectPrograms::of(const Batch& batch, bool fading, bool swaying)
 {
     const unsigned features = batch.features & m_relevant;
-    const gl::Program*& program = m_programs[features + (fading ? unsigned(kFeatureEnd) : 0u)];
+    const gl::Program*& program = m_programs[features + (fading ? unsigned(kFeatureEnd) : 0u) + (swaying ? 2u * kFeatureEnd : 0u)];
     if (!program) {
         std::vector<std::string> defines = definesOf(features);
         if (fading) defines.emplace_back("FADE");
+        if (swaying) defines.emplace_back("WIND");
         defines.insert(defines.end(), m_defines.begin(), m_defines.end());
         const bool impostor = features & kFeatureImpostor;
         const std::string vertex = impostor ? "impostors" : "objects";

@@ -14,14 +14,14 @@ class ObjectPrograms {
 public:
     // `relevant`: the features that this kind of drawing cares about; the others share a program.
     ObjectPrograms(ShaderLibrary& shaders, std::string fragment, std::vector<std::string> defines, unsigned relevant);
-    const gl::Program& of(const Batch& batch, bool fading = false);
+    const gl::Program& of(const Batch& batch, bool fading = false, bool swaying = false);
 
 private:
     ShaderLibrary& m_shaders;
     std::string m_fragment;
     std::vector<std::string> m_defines;
     unsigned m_relevant;
-    std::array<const gl::Program*, 2 * std::size_t(kFeatureEnd)> m_programs{}; // by features, and twice: whole and fading
+    std::array<const gl::Program*, 4 * std::size_t(kFeatureEnd)> m_programs{}; // by features, whole and fading, still and swaying
 };
 
 // The texture arrays of a batch at their units; an impostor's pictures.

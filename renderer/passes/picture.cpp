@@ -43,8 +43,8 @@ void ToneMapPass::render(GpuFrame& gpu, PictureTarget& canvas, const Radiance& r
 
 ShowPass::ShowPass(ShaderLibrary& shaders)
     : m_shaders{shaders},
-      m_flatObjects{shaders, "flat", {"POSITION_ONLY"}, kFeatureImpostor},
-      m_objectLevels{shaders, "flat", {"POSITION_ONLY", "LEVELS"}, kFeatureImpostor},
+      m_flatObjects{shaders, "flat", {"POSITION_ONLY"}, kFeatureImpostor | kFeatureMask},
+      m_objectLevels{shaders, "flat", {"POSITION_ONLY", "LEVELS"}, kFeatureImpostor | kFeatureMask},
       m_flatGround{shaders.program({.label = "flat ground", .stages = {"terrain.vert.glsl", "flat.frag.glsl"}})},
       m_groundLevels{shaders.program(
           {.label = "ground levels", .stages = {"terrain.vert.glsl", "flat.frag.glsl"}, .defines = {"LEVELS"}})},
@@ -61,7 +61,7 @@ void ShowPass::drawAgain(GpuFrame& gpu, Scenery& scenery, const GeometryPass::Dr
         own.cull = batch.twoSided ? GL_NONE : GL_BACK;
         own.clockwise = range.mirrored;
         gl::apply(own);
-        return gpu.use((levels ? m_objectLevels : m_flatObjects).of(batch));
+        return gpu.use((levels ? m_objectLevels : m_flatObjects).of(batch, false, range.swaying));
     };
     for (const DrawList& objects : drawn.objects)
         drawRanges(gpu, m_objects, objects, objects.opaque, prepare);

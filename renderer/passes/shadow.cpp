@@ -3,12 +3,14 @@
 #include "renderer/shaders/shared/bindings.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace renderer {
 namespace {
 
 constexpr float kErrorTexels = 1.0f; // how far what casts a shadow may stray from its full model
-
+constexpr float kLeastSway = 2;      // texels; the maps' filter is as wide
+constexpr double kSwayStep = 0.04;   // s, for each cascade before it: what sways far away may lag a little
 constexpr float kGroundErrorTexels = 0.5f; // the same of the ground, which is its own nearest receiver
 constexpr std::int64_t kManyTexels = 4;    // parts that take one in so many of a window's texels are drawn as one
 
@@ -28,6 +30,23 @@ std::vector<TexelRect> missing(const TexelRect& window, const TexelRect& held, s
     return parts;
 }
 
+// The wind's time that a cascade's shadows stand for: the farther, the fewer times a second.
+double timeFor(std::size_t index, double time)
+{
+    return index == 0 ? time : std::floor(time / (kSwayStep * double(index))) * (kSwayStep * double(index));
+}
+
+bool swaysIn(const DrawList& list)
+{
+    return std::ranges::any_of(list.opaque, &DrawRange::swaying);
+}
+
+// Where the GPU culls, its list has a range for all that could sway.
+bool mayBeSeen(const Scenery& scenery, const Viewpoint& viewpoint, const CullRequest& request)
+{
+    return glsl::windReach(glsl::windMost(viewpoint.wind), scenery.world.mostSway()) > request.swayLength;
+}
+
 } // namespace
 
 ShadowPass::ShadowPass(ShaderLibrary& shaders)
@@ -35,6 +54,9 @@ ShadowPass::ShadowPass(ShaderLibrary& shaders)
       m_solid{shaders.program({.label = "shadow of solids",
                                .stages = {"objects.vert.glsl", "empty.frag.glsl"},
                                .defines = {"POSITION_ONLY"}})},
+      m_solidSwaying{shaders.program({.label = "shadow of solids that sway",
+                                      .stages = {"objects.vert.glsl", "empty.frag.glsl"},
+                                      .defines = {"POSITION_ONLY", "WIND"}})},
       m_ground{shaders.program({.label = "shadow of the ground", .stages = {"terrain.vert.glsl", "empty.frag.glsl"}})},
       m_objects{makeObjectVertexArray()},
       m_lit{{.label = "no shadow", .size = {1, 1}, .layers = 1, .format = GL_DEPTH_COMPONENT32F, .compare = true}}, m_shaders{shaders}
@@ -74,7 +96,7 @@ const gl::Texture& ShadowPass::render(GpuFrame& gpu, Scenery& scenery, const Vie
     resize(viewpoint.cascades.front().resolution, int(viewpoint.cascades.size()));
     m_pieces = 0;
     for (std::size_t i = 0; i < viewpoint.cascades.size(); ++i)
-        update(gpu, scenery, viewpoint, viewpoint.cascades[i], m_layers[i], settings);
+        update(gpu, scenery, viewpoint, i, settings);
     scenery.world.forgetTouched();
     glDisable(GL_SCISSOR_TEST);
     gpu.constants(VIEW_BINDING, viewpoint.view);
@@ -82,28 +104,33 @@ const gl::Texture& ShadowPass::render(GpuFrame& gpu, Scenery& scenery, const Vie
     return m_maps;
 }
 
-void ShadowPass::update(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Cascade& cascade, Layer& layer,
-                        const Settings& settings)
+void ShadowPass::update(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, std::size_t index, const Settings& settings)
 {
-    const Key key{.texel = cascade.texel,
-                  .middle = cascade.middle,
-                  .towardSun = viewpoint.towardSun,
-                  .world = scenery.world.revision(),
-                  .terrain = scenery.terrain.revision(),
-                  .culling = settings.culling,
-                  .lod = settings.lod};
+    const Cascade& cascade = viewpoint.cascades[index];
+    Layer& layer = m_layers[index];
+    Key key{.texel = cascade.texel,
+            .middle = cascade.middle,
+            .towardSun = viewpoint.towardSun,
+            .world = scenery.world.revision(),
+            .terrain = scenery.terrain.revision(),
+            .culling = settings.culling,
+            .lod = settings.lod,
+            .wind = {viewpoint.wind.towards, viewpoint.wind.speed, viewpoint.wind.gustiness}};
+    if (layer.key.time) key.time = timeFor(index, viewpoint.time);
     if (!(key == layer.key)) layer.window = {};
     std::vector<TexelRect> stale;
     for (const glm::dvec4& sphere : scenery.world.touched())
         stale.push_back(shadowOf(cascade, sphere, viewpoint.towardSun));
+    bool sways = !layer.window.empty() && key.time;
     for (const TexelRect& part : missing(cascade.window(), layer.window, stale))
         for (const CascadePiece& piece : piecesOf(cascade, part, viewpoint.eye.position, viewpoint.towardSun))
-            draw(gpu, scenery, viewpoint, cascade, layer, piece, settings);
+            sways |= draw(gpu, scenery, viewpoint, cascade, layer, piece, settings);
     layer.key = key;
+    layer.key.time = sways ? std::optional{timeFor(index, viewpoint.time)} : std::nullopt;
     layer.window = cascade.window();
 }
 
-void ShadowPass::draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Cascade& cascade, const Layer& layer,
+bool ShadowPass::draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Cascade& cascade, const Layer& layer,
                       const CascadePiece& piece, const Settings& settings)
 {
     glsl::View view = viewpoint.view;
@@ -115,6 +142,8 @@ void ShadowPass::draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoin
                               .smallestRadius = float(cascade.texel * 0.5),
                               .errorLength = settings.lod ? float(cascade.texel) * kErrorTexels : 0.0f,
                               .impostors = true,
+                              .wind = viewpoint.wind,
+                              .swayLength = float(cascade.texel) * kLeastSway,
                               .required = CULL_CASTS_SHADOW};
     const std::vector<DrawList> lists = nextChooser().choose(gpu, scenery, request, settings, Occlusion::Off);
 
@@ -126,17 +155,20 @@ void ShadowPass::draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoin
     // Slopes are pushed away from the light by part of their own depth range over a texel.
     const gl::DrawState state{.depthTest = GL_LESS, .depthWrite = true, .depthClamp = true, .depthOffset = {1.25f, 2.0f}};
     for (const DrawList& list : lists)
-        drawRanges(gpu, m_objects, list, list.opaque, [&](const DrawRange&, const Batch& batch) {
+        drawRanges(gpu, m_objects, list, list.opaque, [&](const DrawRange& range, const Batch& batch) {
             gl::apply(state);
             if (hasHoles(batch)) bindArrays(gpu, *list.models, batch);
-            return gpu.use(hasHoles(batch) ? m_masked.of(batch) : m_solid);
+            const gl::Program& solid = range.swaying ? m_solidSwaying : m_solid;
+            return gpu.use(hasHoles(batch) ? m_masked.of(batch, false, range.swaying) : solid);
         });
 
-    if (!scenery.terrain.present() || !gpu.use(m_ground)) return;
+    const bool sways = mayBeSeen(scenery, viewpoint, request) && std::ranges::any_of(lists, swaysIn);
+    if (!scenery.terrain.present() || !gpu.use(m_ground)) return sways;
     const Terrain::Draw ground = scenery.terrain.shadowDraws(gpu.stream(), volume, cascade.texel * kGroundErrorTexels);
     gl::apply(state);
     scenery.terrain.bindForShadows(gpu);
     scenery.terrain.draw(gpu, ground);
+    return sways;
 }
 
 } // namespace renderer

@@ -21,6 +21,8 @@ private:
         glm::dvec3 towardSun{0};
         std::uint64_t world = 0, terrain = 0;
         bool culling = false, lod = false;
+        glm::vec4 wind{0};          // its means
+        std::optional<double> time; // s, where something sways
         bool operator==(const Key&) const = default;
     };
     struct Layer {
@@ -29,14 +31,13 @@ private:
         TexelRect window; // that it holds
     };
     void resize(int resolution, int layers);
-    void update(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Cascade& cascade, Layer& layer,
-                const Settings& settings);
-    void draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Cascade& cascade, const Layer& layer,
-              const CascadePiece& piece, const Settings& settings);
+    void update(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, std::size_t index, const Settings& settings);
+    bool draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Cascade& cascade, const Layer& layer,
+              const CascadePiece& piece, const Settings& settings); // whether something in it sways
     ViewChooser& nextChooser();
 
     ObjectPrograms m_masked;
-    const gl::Program &m_solid, &m_ground;
+    const gl::Program &m_solid, &m_solidSwaying, &m_ground;
     gl::VertexArray m_objects;
     gl::Texture m_maps;
     gl::Texture m_lit;

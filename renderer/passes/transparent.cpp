@@ -84,7 +84,7 @@ void TransparentPass::drawBlended(GpuFrame& gpu, const Viewpoint& viewpoint, std
                        .clockwise = range.mirrored,
                        .blend = gl::Blend::Alpha});
             bindArrays(gpu, *list->models, batch);
-            return gpu.use(kinds.of(batch));
+            return gpu.use(kinds.of(batch, false, range.swaying));
         });
 }
 

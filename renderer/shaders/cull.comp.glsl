@@ -5,6 +5,7 @@
 #include "shared/bindings.h"
 #include "shared/culling.h"
 #include "shared/instance.h"
+#include "shared/wind.h"
 #include "view.glsl"
 
 layout(local_size_x = 64) in;
@@ -12,7 +13,9 @@ layout(std140, binding = PASS_BINDING) uniform CullBlock { CullView cull; };
 layout(std430, binding = CULL_RECORDS_BINDING) readonly buffer Records { CullRecord records[]; };
 layout(std430, binding = CULL_MODELS_BINDING) readonly buffer Models { CullModel models[]; };
 layout(std430, binding = CULL_BINS_BINDING) buffer Bins { CullBin bins[]; };
-layout(std430, binding = CULL_DECIDED_BINDING) buffer Decided { uint decided[]; }; // 0: nothing, else share, level + 1
+layout(std430, binding = CULL_DECIDED_BINDING) buffer Decided { uint decided[]; }; // 0: nothing, else share, level + 1, whether it sways
+
+#define DECIDED_SWAYS 0x10000u
 
 #ifdef DECIDE
 layout(std430, binding = CULL_SEEN_BINDING) buffer SeenBefore { uint seen[]; }; // 1: drawn by this view's last frame
@@ -34,10 +37,11 @@ bool hidden(CullRecord r)
 {
     vec3 relative = (r.centre - view.eyeHigh) - view.eyeLow;
     float z = dot(relative, view.forward);
-    if (z < r.radius + view.near * 2.0) return false;
+    float radius = reachOf(r, cull);
+    if (z < radius + view.near * 2.0) return false;
     float halfWidth = length(view.right), halfHeight = length(view.up);
-    vec2 x = projectedBounds(dot(relative, view.right) / halfWidth, z, r.radius) / halfWidth;
-    vec2 y = projectedBounds(dot(relative, view.up) / halfHeight, z, r.radius) / halfHeight;
+    vec2 x = projectedBounds(dot(relative, view.right) / halfWidth, z, radius) / halfWidth;
+    vec2 y = projectedBounds(dot(relative, view.up) / halfHeight, z, radius) / halfHeight;
     if (x.y - x.x <= 0.0 || y.y - y.x <= 0.0) return false; // wider than half a turn
     vec2 low = clamp(vec2(x.x, y.x) * 0.5 + 0.5, 0.0, 1.0);
     vec2 high = clamp(vec2(x.y, y.y) * 0.5 + 0.5, 0.0, 1.0);
@@ -49,7 +53,7 @@ bool hidden(CullRecord r)
     ivec2 b = clamp(ivec2(high * vec2(last + 1)), ivec2(0), last);
     float farthest = min(min(texelFetch(pyramid, a, mip).r, texelFetch(pyramid, b, mip).r),
                          min(texelFetch(pyramid, ivec2(a.x, b.y), mip).r, texelFetch(pyramid, ivec2(b.x, a.y), mip).r));
-    return view.near / (z - r.radius) < farthest;
+    return view.near / (z - radius) < farthest;
 }
 #endif
 
@@ -86,11 +90,12 @@ void main()
     if (draw) {
         atomicAdd(counts.drawn, 1u);
         LevelChoice choice = chooseLevel(r, m, cull);
-        decision = uint(choice.share) | uint(choice.level + 1) << 8;
         bool fading = choice.share < DRAWN_FADE_STEPS;
-        uint kind = binOf(m, r, choice.level, fading);
+        bool swaying = swayShown(r, m, cull) > 0.0;
+        decision = uint(choice.share) | uint(choice.level + 1) << 8 | (swaying ? DECIDED_SWAYS : 0u);
+        uint kind = binOf(m, r, choice.level, fading, swaying);
         count(kind);
-        if (fading) count(kind - 4u);
+        if (fading) count(kind - BINS_OF_LEVEL);
     }
     decided[slot] = decision;
 }
@@ -98,15 +103,28 @@ void main()
 layout(std430, binding = CULL_INSTANCES_BINDING) readonly buffer Instances { uvec4 instances[]; };
 layout(std430, binding = CULL_DRAWN_BINDING) writeonly buffer Drawn { uvec4 drawn[]; };
 
-void copy(uint slot, uint bin, uint bits)
+// Adds what the wind does to it to a copy's words.
+void bend(inout uvec4 words[INSTANCE_WORDS], float shown)
+{
+    uint phase = windPhase(words[0].w);
+    vec2 place = windPlace(cull.wind, uintBitsToFloat(words[0].xz), uintBitsToFloat(words[1].xz));
+    Sway sway = windSway(cull.wind, place, uintBitsToFloat(words[2].w) * shown, uintBitsToFloat(words[3].w), phase);
+    words[1].w |= phase << DRAWN_PHASE_SHIFT | swayFlutter(sway) << DRAWN_FLUTTER_SHIFT;
+    words[2].w = floatBitsToUint(sway.top.x);
+    words[3].w = floatBitsToUint(sway.top.y);
+}
+
+void copy(uint slot, uint bin, uint bits, float shown)
 {
     uint to = atomicAdd(bins[bin].next, 1u);
     if (to >= bins[bin].end) return;
-    for (uint i = 0u; i < INSTANCE_WORDS; ++i) {
-        uvec4 words = instances[slot * INSTANCE_WORDS + i];
-        if (i == 1u) words.w = (words.w & DRAWN_FLAGS_MASK) | bits;
-        drawn[to * INSTANCE_WORDS + i] = words;
-    }
+    uvec4 words[INSTANCE_WORDS];
+    for (uint i = 0u; i < INSTANCE_WORDS; ++i)
+        words[i] = instances[slot * INSTANCE_WORDS + i];
+    words[1].w = (words[1].w & DRAWN_FLAGS_MASK) | bits;
+    if (shown >= 0.0) bend(words, shown);
+    for (uint i = 0u; i < INSTANCE_WORDS; ++i)
+        drawn[to * INSTANCE_WORDS + i] = words[i];
 }
 
 void main()
@@ -116,11 +134,14 @@ void main()
     CullRecord r = records[slot];
     CullModel m = models[r.model];
     uint share = decided[slot] & 0xffu;
-    uint level = (decided[slot] >> 8) - 1u;
+    uint level = ((decided[slot] >> 8) & 0xffu) - 1u;
+    bool swaying = (decided[slot] & DECIDED_SWAYS) != 0u;
+    float shown = swaying ? swayShown(r, m, cull) : -1.0; // of what is still
     bool fading = share < uint(DRAWN_FADE_STEPS);
-    uint bin = binOf(m, r, int(level), fading);
-    copy(slot, bin, level << DRAWN_LEVEL_SHIFT | (fading ? share : 0u) << DRAWN_FADE_SHIFT);
+    uint bin = binOf(m, r, int(level), fading, swaying);
+    copy(slot, bin, level << DRAWN_LEVEL_SHIFT | (fading ? share : 0u) << DRAWN_FADE_SHIFT, shown);
     if (fading)
-        copy(slot, bin - 4u, (level - 1u) << DRAWN_LEVEL_SHIFT | (DRAWN_FADE_OTHERS + share) << DRAWN_FADE_SHIFT);
+        copy(slot, bin - BINS_OF_LEVEL, (level - 1u) << DRAWN_LEVEL_SHIFT | (DRAWN_FADE_OTHERS + share) << DRAWN_FADE_SHIFT,
+             shown);
 }
 #endif

@@ -1,6 +1,7 @@
 // Vertices of placed objects.
 #include "octahedron.glsl"
 #include "records.glsl"
+#include "shared/wind.h"
 #include "view.glsl"
 
 layout(location = 0) in vec3 inPosition;
@@ -58,10 +59,32 @@ vec2 textureUv(int unit)
 #endif
 }
 
+#ifdef WIND
+// From the instance's origin, m. Normals stay: a lean of a few degrees is not to be seen in the light. Leaves are cut
+// out, so that nothing else fetches its material for them.
+vec3 swayed(vec3 point)
+{
+    float share = inPosition.y * inPerHeight;
+    vec3 moved = windBent(point, vec2(inSwayX, inSwayZ), share);
+#ifdef MASK
+    if ((quickMaterial(inMaterial).flags & MATERIAL_LEAF) != 0u) {
+        float phase = float((inPositionLow.w >> DRAWN_PHASE_SHIFT) & 255u) / 256.0;
+        float flutter = float((inPositionLow.w >> DRAWN_FLUTTER_SHIFT) & 255u) * (WIND_MOST_FLUTTER / 255.0);
+        moved += windLeaf(inPosition, share, view.time, phase) * flutter;
+    }
+#endif
+    return moved;
+}
+#endif
+
 void main()
 {
     vec3 origin = instancePlace(view.eyeHigh, view.eyeLow);
+#ifdef WIND
+    vec3 place = origin + swayed(inAxisX * inPosition.x + inAxisY * inPosition.y + inAxisZ * inPosition.z);
+#else
     vec3 place = origin + inAxisX * inPosition.x + inAxisY * inPosition.y + inAxisZ * inPosition.z;
+#endif
     gl_Position = view.clipFromRelative * vec4(place, 1.0);
     passOnLevel();
 

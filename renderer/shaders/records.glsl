@@ -11,6 +11,11 @@ layout(location = 8) in uvec4 inPositionLow;  // and what is drawn
 layout(location = 9) in vec3 inAxisX;
 layout(location = 10) in vec3 inAxisY;
 layout(location = 11) in vec3 inAxisZ;
+#ifdef WIND
+layout(location = 12) in float inSwayX; // of the plant's top, m
+layout(location = 13) in float inSwayZ;
+layout(location = 14) in float inPerHeight; // 1 / the model's height
+#endif
 
 // From the eye, m; `high` and `low` are the eye's.
 vec3 instancePlace(vec3 high, vec3 low)

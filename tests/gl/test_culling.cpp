@@ -95,7 +95,7 @@ TEST(Levels, AreChosenByTheErrorThatCanBeSeen)
         std::vector<std::pair<std::uint32_t, std::uint32_t>> result; // level, fade
         for (const renderer::Seen& one : seenOf({&record, 1}, request)) {
             result.emplace_back((one.drawn >> DRAWN_LEVEL_SHIFT) & DRAWN_LEVEL_MASK, one.drawn >> DRAWN_FADE_SHIFT);
-            EXPECT_EQ(one.bin, result.back().first * 4 + (result.back().second ? 1 : 0));
+            EXPECT_EQ(one.bin, result.back().first * BINS_OF_LEVEL + (result.back().second ? 1 : 0));
         }
         return result;
     };

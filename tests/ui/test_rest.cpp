@@ -43,7 +43,7 @@ TEST(Rest, AChangeFromElsewhereIsShown)
     EXPECT_EQ(rig.editor->nextFrameIn(), 0);
 }
 
-TEST(Rest, CloudsDriftOnlyWhereThePersonWants)
+TEST(Rest, CloudsAndPlantsMoveOnlyWhereThePersonWants)
 {
     io::Value saved;
     {
@@ -51,11 +51,18 @@ TEST(Rest, CloudsDriftOnlyWhereThePersonWants)
         rig.frame(kSecond);
         EXPECT_EQ(rig.editor->time(), 0);
         rig.click("View", "menu");
-        rig.click("Animate", "menu item");
+        rig.click("Animate wind and clouds", "menu item");
         rig.frame(kSecond);
         EXPECT_NEAR(rig.editor->nextFrameIn(), 1 / 30.0, 1e-9);
         EXPECT_GT(rig.editor->time(), 0.9);
         rig.editor->renderSettings.clouds = false;
+        EXPECT_TRUE(rests(rig)) << "crates do not sway";
+        io::Template reed = *rig.document().scene().find(io::TemplateId{1});
+        reed.wind = 1;
+        rig.editor->step("undo.edit", [&](editor::Document& document) { editor::setTemplate(document, "reed", io::TemplateId{1}, reed); });
+        rig.frame(kSecond);
+        EXPECT_FALSE(rests(rig));
+        rig.editor->renderSettings.wind = false;
         EXPECT_TRUE(rests(rig));
         rig.editor->saveLayout();
         saved = rig.host.saved;

@@ -60,12 +60,12 @@ TEST(Statistics, LieOverThePictureByKeyAndMenu)
 TEST(FreezeCulling, IsSwitchedByKeyAndMenuAndEndsWithTheWorld)
 {
     Rig rig;
-    rig.key({.key = Key::F4});
+    rig.key({.key = Key::F7});
     EXPECT_TRUE(rig.editor->viewport().freezeCulling);
     rig.click("View", "menu");
     rig.click("Freeze culling", "menu item");
     EXPECT_FALSE(rig.editor->viewport().freezeCulling);
-    rig.key({.key = Key::F4});
+    rig.key({.key = Key::F7});
     rig.editor->adopt(crates(2));
     EXPECT_FALSE(rig.editor->viewport().freezeCulling);
 }

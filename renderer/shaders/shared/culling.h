@@ -4,6 +4,7 @@
 #define SHARED_CULLING_H
 #include "drawn.h"
 #include "shared.h"
+#include "wind.h"
 SHARED_BEGIN
 
 #define CULL_CASTS_SHADOW 1u
@@ -14,7 +15,7 @@ SHARED_BEGIN
 struct CullRecord { // of an instance, beside its Instance
     vec3 centre; float radius; // m, world; the radius covers the rounding of the centre
     uint model;  uint flags;
-    uint unused0; uint unused1;
+    float sway;  uint unused0; // `give` of windReach()
 };
 SHARED_STRUCT_END(CullRecord, 32)
 
@@ -37,9 +38,13 @@ struct CullView {
     uint refused;
     uint count;        // instances
     uint impostors;    // 1: they will do
-    uint unused;
+    float unused;
+    float swayAngle;   // way / distance under which sway is left out; 0: parallel light
+    float swayLength;  // m, the same of parallel light
+    vec2 windMost;     // windMost(); 0: nothing sways
+    Wind wind;
 };
-SHARED_STRUCT_END(CullView, 128)
+SHARED_STRUCT_END(CullView, 192)
 
 struct CullBin { // counted, then given a place
     uint count, first, next, end;
@@ -66,12 +71,18 @@ SHARED_FUNCTION bool wanted(CullRecord r, CullView v)
     return (r.flags & v.required) == v.required && (r.flags & v.refused) == 0u;
 }
 
+// Of the sphere that holds it however it sways, m.
+SHARED_FUNCTION float reachOf(CullRecord r, CullView v)
+{
+    return r.radius + windReach(v.windMost, r.sway);
+}
+
 SHARED_FUNCTION bool insidePlanes(CullRecord r, CullView v)
 {
     float least = 0.0f;
     for (int i = 0; i < 5; ++i)
         least = min(least, v.planes[i].x * r.centre.x + v.planes[i].y * r.centre.y + v.planes[i].z * r.centre.z +
-                               v.planes[i].w + r.radius);
+                               v.planes[i].w + reachOf(r, v));
     return least >= 0.0f;
 }
 
@@ -110,9 +121,29 @@ SHARED_FUNCTION LevelChoice chooseLevel(CullRecord r, CullModel m, CullView v)
     return choice;
 }
 
-SHARED_FUNCTION uint binOf(CullModel m, CullRecord r, int level, bool fading)
+// How much of its sway is shown: nothing where that would be less than is to be seen, all where it is twice as much, so
+// that no plant jumps where it begins. Vertices that sway cost more. An impostor is a picture of the model upright, so
+// what will be one stands upright before.
+SHARED_FUNCTION float swayShown(CullRecord r, CullModel m, CullView v)
 {
-    return m.firstBin + uint(level) * 4u + ((r.flags & CULL_MIRRORED) != 0u ? 2u : 0u) + (fading ? 1u : 0u);
+    float most = windReach(v.windMost, r.sway);
+    if (most <= 0.0f) return 0.0f;
+    vec3 d = r.centre - v.eye;
+    float away = max(sqrt(dot(d, d)) - r.radius, 0.0f);
+    float least = v.swayAngle * away + v.swayLength;
+    if (most <= least) return 0.0f;
+    float shown = min(most / max(least, 1e-6f) - 1.0f, 1.0f);
+    if (m.impostor == 0u || v.impostors == 0u) return shown;
+    float nearness = (v.errorAngle * away + v.errorLength) / (levelError(m, int(m.levels) - 1) * r.radius);
+    return min(shown, clamp((1.0f - nearness) * 4.0f, 0.0f, 1.0f));
+}
+
+#define BINS_OF_LEVEL 8u
+
+SHARED_FUNCTION uint binOf(CullModel m, CullRecord r, int level, bool fading, bool swaying)
+{
+    uint kind = (swaying ? 4u : 0u) + ((r.flags & CULL_MIRRORED) != 0u ? 2u : 0u) + (fading ? 1u : 0u);
+    return m.firstBin + uint(level) * BINS_OF_LEVEL + kind;
 }
 
 SHARED_END

@@ -5,6 +5,8 @@
 
 #define DRAWN_SLOT_MASK 0xffffffu // of the instance records
 #define DRAWN_FLAGS_MASK 0xffu
+#define DRAWN_PHASE_SHIFT 8       // of what sways, in a copy: 256ths of a turn
+#define DRAWN_FLUTTER_SHIFT 16    // and of its leaves: 255ths of WIND_MOST_FLUTTER
 #define DRAWN_LEVEL_SHIFT 24
 #define DRAWN_LEVEL_MASK 7u
 #define MOST_LEVELS 8             // of a model, the full one among them

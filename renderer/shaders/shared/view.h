@@ -6,7 +6,7 @@ SHARED_BEGIN
 
 struct View {
     mat4 clipFromRelative; // of the camera, or of a shadow cascade
-    vec3 eyeHigh;  float time;      // the eye as the sum of two floats, m; s
+    vec3 eyeHigh;  float time;      // the eye as the sum of two floats, m; s, as of Wind
     vec3 eyeLow;   float near;      // m
     vec3 forward;  float exposure;  // unit; factor, 2^EV
     vec3 right;    float pixelAngle; // half the picture's width and height at distance 1; radians that a pixel

@@ -24,7 +24,6 @@ TEST(DrawingSettings, whatComesLaterMayBeSetToWhatIsTrueNow)
     for (const auto& [key, now, later] : std::vector<std::array<const char*, 3>>{{"ao", "off", "on"},
                                                                                  {"grass", "off", "on"},
                                                                                  {"bloom", "off", "on"},
-                                                                                 {"wind", "off", "on"},
                                                                                  {"terrain", "grid", "tessellation"}}) {
         EXPECT_TRUE(setDrawing(s, key, now)) << key;
         const io::Status refused = setDrawing(s, key, later);
@@ -57,6 +56,8 @@ TEST(DrawingSettings, qualityCapsShadowsAndAutoSparesSoftware)
     applyQuality(Quality::High, "llvmpipe", high);
     EXPECT_LT(capped(io::Shadows{}, low).resolution, capped(io::Shadows{}, software).resolution);
     EXPECT_EQ(hardware, high);
+    EXPECT_FALSE(low.wind || software.wind); // vertices that sway cost more
+    EXPECT_TRUE(high.wind);
     EXPECT_EQ(capped(io::Shadows{}, high), io::Shadows{}); // the world as its environment says
 }
 
