@@ -45,11 +45,12 @@ struct Tier {
     float lodPixels;
     renderer::AntiAliasing antiAliasing;
     bool wind;
+    int skyPixels;
 };
-constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, 2.5f, renderer::AntiAliasing::Off, false},
-                                      {Quality::Medium, 3, 1024, 250, 1.75f, renderer::AntiAliasing::Fxaa, false},
-                                      {Quality::High, 4, 2048, 1000, 1, renderer::AntiAliasing::Fxaa, true},
-                                      {Quality::Ultra, 4, 8192, 1e6f, 0.6f, renderer::AntiAliasing::Fxaa, true}}};
+constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, 3, renderer::AntiAliasing::Off, false, 4},
+                                      {Quality::Medium, 4, 1024, 350, 2.25f, renderer::AntiAliasing::Fxaa, false, 4},
+                                      {Quality::High, 4, 2048, 1000, 1, renderer::AntiAliasing::Fxaa, true, 1},
+                                      {Quality::Ultra, 4, 8192, 1e6f, 0.6f, renderer::AntiAliasing::Fxaa, true, 1}}};
 
 // What a tier needs, a second. A frame of 1280x720 draws half a million triangles for the camera and each cascade.
 struct Need {
@@ -106,6 +107,7 @@ void applyQuality(Quality quality, std::string_view device, renderer::Settings& 
         settings.lodPixels = tier.lodPixels;
         settings.antiAliasing = tier.antiAliasing;
         settings.wind = tier.wind;
+        settings.skyPixels = tier.skyPixels;
     }
 }
 

@@ -53,7 +53,7 @@ Picture Renderer::State::render(const FrameInput& in)
 
     const bool lit = needsLight(in.show);
     Radiance& hdr = lit ? lighting.render(gpu, surfaces, viewpoint, in.settings) : lighting.unlit(surfaces);
-    if (lit) sky.render(gpu, hdr, viewpoint);
+    if (lit) sky.render(gpu, hdr, viewpoint, in.settings);
     transparent.render(gpu, hdr, surfaces, scenery, viewpoint, drawn.objects, in.ghosts, in.settings);
     radiance = lit ? &hdr : nullptr;
 

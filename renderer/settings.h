@@ -30,6 +30,8 @@ struct Settings {
 
     float lodPixels = 1; // how far a coarser level may stray from the full model; set by --quality
 
+    int skyPixels = 1;   // pixels along a side of one of the sky's, but for sun and stars; set by --quality
+
     // Caps on the shadows that a scene asks for: what a machine can bear, set by --quality.
     int mostCascades = 4;
     int largestShadowMap = 8192;    // texels along a side

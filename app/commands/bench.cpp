@@ -220,7 +220,8 @@ int bench(const Options& options)
     auto studio = Studio::create(options.headless);
     if (!studio) return fault(studio.error());
     renderer::Renderer& renderer = (*studio)->renderer();
-    if (options.quality) applyQuality(*options.quality, renderer.deviceName(), drawing);
+    const Quality quality = options.quality.value_or(Quality::Auto); // as a window here would draw
+    applyQuality(quality, renderer.deviceName(), drawing);
     if (const int code = applyToDrawing(options, drawing)) return code;
 
     const double start = now(); // the first frame takes the world onto the device
@@ -235,6 +236,7 @@ int bench(const Options& options)
     figures["first_frame_processor_ms"] = firstFrameProcessor;
     figures["peak_rss_mb"] = peakMegabytes();
     figures["memory_mb"] = memoryOf(*document, renderer.stats());
+    figures["quality"] = std::string{nameOf(quality)};
     figures["gl_renderer"] = renderer.deviceName();
     figures["size"] = io::Value::Array{options.size.x, options.size.y};
     if (options.json != "-") print(figures);

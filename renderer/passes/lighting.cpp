@@ -61,14 +61,31 @@ SkyPass::SkyPass(ShaderLibrary& shaders) : m_shaders{shaders}
     shaders.fullScreen("sky", {"CLOUDS"});
 }
 
-void SkyPass::render(GpuFrame& gpu, Radiance& radiance, const Viewpoint& viewpoint)
+void SkyPass::render(GpuFrame& gpu, Radiance& radiance, const Viewpoint& viewpoint, const Settings& settings)
 {
     const auto scope = gpu.scope("sky");
-    radiance.framebuffer.bind();
     std::vector<std::string> defines;
     if (viewpoint.light.cloudsOn > 0) defines.emplace_back("CLOUDS");
+    const bool coarse = settings.skyPixels > 1;
+    if (coarse) {
+        renderDome(gpu, (radiance.texture.size() + settings.skyPixels - 1) / settings.skyPixels, defines);
+        defines = {"FROM_DOME"};
+    }
     if (viewpoint.light.skyFloor.g > 0) defines.emplace_back("STARS");
-    gpu.fullScreen(m_shaders.fullScreen("sky", std::move(defines)), {.depthTest = kWhereSkyIs}, {});
+    radiance.framebuffer.bind();
+    gpu.fullScreen(m_shaders.fullScreen("sky", std::move(defines)), {.depthTest = kWhereSkyIs},
+                   {{IMAGE_UNIT, coarse ? &m_dome.texture : nullptr}});
+}
+
+void SkyPass::renderDome(GpuFrame& gpu, glm::ivec2 size, std::vector<std::string> defines)
+{
+    if (m_dome.texture.size() != size) {
+        m_dome.texture = gl::Texture{{.label = "dome of the sky", .size = size, .format = GL_RGBA16F, .target = true}};
+        m_dome.framebuffer = gl::Framebuffer{{.label = "dome of the sky", .colours = {&m_dome.texture}}};
+    }
+    defines.emplace_back("DOME");
+    m_dome.framebuffer.bind();
+    gpu.fullScreen(m_shaders.fullScreen("sky", std::move(defines)), {}, {});
 }
 
 } // namespace renderer

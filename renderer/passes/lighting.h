@@ -30,10 +30,13 @@ std::vector<std::string> lightingDefines(const Viewpoint& viewpoint, const Setti
 class SkyPass {
 public:
     explicit SkyPass(ShaderLibrary& shaders);
-    void render(GpuFrame& gpu, Radiance& radiance, const Viewpoint& viewpoint);
+    void render(GpuFrame& gpu, Radiance& radiance, const Viewpoint& viewpoint, const Settings& settings);
 
 private:
+    void renderDome(GpuFrame& gpu, glm::ivec2 size, std::vector<std::string> defines);
+
     ShaderLibrary& m_shaders;
+    Radiance m_dome; // the sky without sun and stars, where it is made at a lower resolution
 };
 
 } // namespace renderer

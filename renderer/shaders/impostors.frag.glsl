@@ -17,7 +17,7 @@ layout(location = 5) flat in vec4 shift2; // and the weights of frames 0 and 1
 layout(location = 6) flat in vec3 normalX;
 layout(location = 7) flat in vec3 normalY;
 layout(location = 8) flat in vec3 normalZ;
-layout(location = 9) flat in uvec4 ids;   // object, flags, roughness of leaves and of the rest (unorm16), a pixel that moves along
+layout(location = 9) flat in uvec4 ids;   // object; flags, reach towards the sun; roughness of leaves and of the rest (unorm16); a pixel that moves along
 
 const float kEdge = 1.0 / float(IMPOSTOR_FRAME_TEXELS);
 const float kCover = 0.44; // from which a texel counts; a little under a half, as one picture alone is as thin as it was taken
@@ -48,8 +48,8 @@ void main()
     ImpostorTexel t = loaded(colour, textureLod(surfaces, at, frame2.w));
     vec3 normal = normalize(normalX * t.normal.x + normalY * t.normal.y + normalZ * t.normal.z);
     uint bits = (ids.y & INSTANCE_SELECTED) != 0u ? SURFACE_SELECTED : 0u;
-    bits |= t.leaf > 0.5 ? SURFACE_LEAF : 0u;
+    bits |= SURFACE_IMPOSTOR | (t.leaf > 0.5 ? SURFACE_LEAF : 0u);
     vec2 roughness = unpackUnorm2x16(ids.z);
-    writeSurface(t.root, 1.0, normal, mix(roughness.y, roughness.x, t.leaf), 0.0, bits, 0.0);
+    writeSurface(t.root, 1.0, normal, mix(roughness.y, roughness.x, t.leaf), float(ids.y >> 8) / 255.0, bits, 0.0);
     outId = ids.x;
 }

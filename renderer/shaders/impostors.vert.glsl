@@ -2,6 +2,7 @@
 // and mirror image of a copy comes out right.
 #include "records.glsl"
 #include "light.glsl"
+#include "shared/gbuffer.h"
 #include "shared/impostor.h"
 #include "view.glsl"
 
@@ -27,7 +28,7 @@ layout(location = 5) flat out vec4 shift2;   // and the weights of frames 0 and 
 layout(location = 6) flat out vec3 normalX;  // images of the normal's axes
 layout(location = 7) flat out vec3 normalY;
 layout(location = 8) flat out vec3 normalZ;
-layout(location = 9) flat out uvec4 ids;     // object, flags, roughness of leaves and of the rest (unorm16), a pixel that moves along
+layout(location = 9) flat out uvec4 ids;     // object; flags, reach towards the sun; roughness of leaves and of the rest (unorm16); a pixel that moves along
 #endif
 
 const float kSteepest = 0.7; // tangent of the angle from below beyond which it is seen as from there
@@ -106,6 +107,9 @@ void main()
     normalZ *= mirror;
     vec4 centre = view.clipFromRelative * vec4(origin + model * inCentre, 1.0);
     ivec2 pixel = ivec2(floor((centre.xy / centre.w * 0.5 + 0.5) * vec2(view.size)));
-    ids = uvec4(instanceObject(), instanceFlags(), packUnorm2x16(inRoughness), uint(pixel.x & 0xffff) | uint(pixel.y) << 16);
+    vec3 towardSun = inverse(model) * light.towardSun;
+    float reach = radius / length(towardSun / max(inExtent.xyz, vec3(0.01))); // m, of an ellipsoid towards the sun
+    uint across = uint(min(reach, IMPOSTOR_MOST_REACH) * (255.0 / IMPOSTOR_MOST_REACH));
+    ids = uvec4(instanceObject(), instanceFlags() | across << 8, packUnorm2x16(inRoughness), uint(pixel.x & 0xffff) | uint(pixel.y) << 16);
 #endif
 }

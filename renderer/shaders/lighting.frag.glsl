@@ -7,6 +7,9 @@ layout(location = 0) in vec2 uv;
 layout(location = 1) in vec3 ray;
 layout(location = 0) out vec4 radiance;
 
+const float kOwnShadow = 0.44; // of an impostor's reach towards the sun
+const float kCrownLit = 0.763;  // share of the sun that reaches a crown's leaves past each other
+
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -17,11 +20,15 @@ void main()
     s.occlusion = colour.a;
     s.normal = fromOctahedral(texelFetch(gbufferNormal, pixel, 0).xy);
     s.roughness = max(stored.x, 0.045);
-    s.metallic = stored.y;
     s.bits = surfaceBits(stored);
+    bool impostor = (s.bits & SURFACE_IMPOSTOR) != 0u;
+    s.metallic = impostor ? 0.0 : stored.y;
 
     vec3 relative = relativeFromDepth(ray, texelFetch(gbufferDepth, pixel, 0).r);
-    float sun = sunVisibility(relative, s.normal, gl_FragCoord.xy);
+    // A flat picture would lie half in the shadow of what it stands for, with a straight edge.
+    vec3 outOfOwnShadow = light.towardSun * (impostor ? stored.y * (IMPOSTOR_MOST_REACH * kOwnShadow) : 0.0);
+    float sun = sunVisibility(relative + outOfOwnShadow, s.normal, gl_FragCoord.xy);
+    sun *= impostor && (s.bits & SURFACE_LEAF) != 0u ? kCrownLit : 1.0;
 #ifdef CLOUD_SHADOWS
     sun *= cloudShadow(relative);
 #endif

@@ -1,7 +1,9 @@
-// The sky where nothing stands before it: scattered light, the sun's disc, clouds.
+// The sky where nothing stands before it: scattered light, the sun's disc, clouds. All but the disc and the stars is smooth:
+// it may be made at a lower resolution first (DOME) and looked up then (FROM_DOME).
 #include "clouds.glsl"
 #include "fog.glsl"
 #include "octahedron.glsl"
+#include "shared/bindings.h"
 #include "shared/atmosphere.h"
 #include "sky_tables.glsl"
 #include "view.glsl"
@@ -9,6 +11,9 @@
 layout(location = 0) in vec2 uv;
 layout(location = 1) in vec3 ray;
 layout(location = 0) out vec4 radiance;
+#ifdef FROM_DOME
+layout(binding = IMAGE_UNIT) uniform sampler2D dome; // radiance; share of what stands behind that comes through
+#endif
 
 // The disc's mean radiance is its irradiance over its solid angle; the limb is darker (Hestroffer and Magnan 1998).
 vec3 sunDisc(vec3 direction)
@@ -46,8 +51,8 @@ vec3 stars(vec3 direction)
 #endif
 
 #ifdef CLOUDS
-// Mixes the cloud layer over `sky`.
-vec3 withClouds(vec3 sky, vec3 disc, vec3 direction)
+// Mixes the cloud layer over `sky`; the share of what is behind that comes through.
+vec4 withClouds(vec3 sky, vec3 direction)
 {
     // Where the ray meets the shell: r sin(e) is the height of the chord's middle.
     const float kPlanet = 6360000.0;
@@ -78,23 +83,18 @@ vec3 withClouds(vec3 sky, vec3 disc, vec3 direction)
     // Far clouds sink into the haze of the sky behind them.
     float haze = exp(-t / 42000.0) * smoothstep(0.0, 0.05, direction.y);
     float visible = opacity * haze * light.cloudsOn;
-    return mix(sky, cloud, visible) + disc * pow(1.0 - visible, 3.0);
+    return vec4(mix(sky, cloud, visible), pow(1.0 - visible, 3.0));
 }
 #endif
 
-void main()
+#ifndef FROM_DOME
+vec4 domeTowards(vec3 direction)
 {
-    vec3 direction = normalize(ray);
     float azimuth = azimuthFromSun(direction);
     vec3 sky = skyView(azimuth, asin(clamp(direction.y, -1.0, 1.0))) * light.sunAbove + nightSky(direction.y);
-    vec3 disc = sunDisc(direction);
-#ifdef STARS
-    disc += stars(direction);
-#endif
+    vec4 colour = vec4(sky, 1.0);
 #ifdef CLOUDS
-    vec3 colour = direction.y > 0.0 && light.cloudAltitude > 0.0 ? withClouds(sky, disc, direction) : sky + disc;
-#else
-    vec3 colour = sky + disc;
+    if (direction.y > 0.0 && light.cloudAltitude > 0.0) colour = withClouds(sky, direction);
 #endif
 
     // Haze over the sky has the sky's own colour: it hides sun and clouds. Below the horizon the ray ends on the
@@ -102,6 +102,25 @@ void main()
     float reach = direction.y < 0.0 ? min(light.atmosphere.eyeAltitude * 1000.0 / -direction.y, 1e5) : 1e6;
     vec3 level = skyView(azimuth, max(asin(clamp(direction.y, -1.0, 1.0)), 0.0)) * light.sunAbove + nightSky(max(direction.y, 0.0));
     float through = light.fogDensity > 0.0 ? fogTransmittance(direction * reach) : 1.0;
-    colour = mix(level * light.fogTint, colour, through);
-    radiance = vec4(min(colour, vec3(60000.0)), 1.0);
+    return mix(vec4(level * light.fogTint, 0.0), colour, through);
+}
+#endif
+
+void main()
+{
+    vec3 direction = normalize(ray);
+#ifdef FROM_DOME
+    vec4 behind = textureLod(dome, uv, 0.0);
+#else
+    vec4 behind = domeTowards(direction);
+#endif
+#ifdef DOME
+    radiance = behind;
+#else
+    vec3 disc = sunDisc(direction);
+#ifdef STARS
+    disc += stars(direction);
+#endif
+    radiance = vec4(min(behind.rgb + disc * behind.a, vec3(60000.0)), 1.0);
+#endif
 }

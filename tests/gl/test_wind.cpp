@@ -258,7 +258,7 @@ TEST(Sway, ShadowMapsWhereNoneIsSeenAreKept)
     Windy windy{1, 4};
     const auto redrawn = [&](float distance) {
         io::Environment environment = windy.world.scene.environment();
-        environment.shadows = {.cascades = 1, .distance = distance, .resolution = 512};
+        environment.shadows = {.cascades = 1, .distance = distance, .resolution = 2048};
         windy.world.scene.exchange(environment);
         test::load(windy.world);
         submitted(1, kBefore);
@@ -266,7 +266,7 @@ TEST(Sway, ShadowMapsWhereNoneIsSeenAreKept)
         return submitted(2, kBefore) > kept;
     };
     EXPECT_TRUE(redrawn(40));
-    EXPECT_FALSE(redrawn(2000));
+    EXPECT_FALSE(redrawn(9000));
     windy.world.scene.exchange(windy.tree, std::nullopt);
     EXPECT_FALSE(redrawn(40)) << "nothing there sways";
 }

@@ -6,5 +6,7 @@
 #define SURFACE_LEAF 2u
 #define SURFACE_UNLIT 4u
 #define SURFACE_GROUND 8u
+#define SURFACE_IMPOSTOR 16u // flat, for something that reaches out of it: how far towards the sun stands where metallic does
+#define IMPOSTOR_MOST_REACH 63.75f // m, that the GBuffer tells
 
 #endif

@@ -24,7 +24,8 @@ SHARED_FUNCTION float agxCurve(float x)
     return 15.5f * x4 * x2 - 40.14f * x4 * x + 31.96f * x4 - 6.868f * x2 * x + 0.4298f * x2 + 0.1191f * x - 0.00232f;
 }
 
-SHARED_FUNCTION vec3 toneMapAgx(vec3 c)
+// For a display with a gamma of 2.2.
+SHARED_FUNCTION vec3 agxForGamma22(vec3 c)
 {
     // Columns.
     const mat3 inset = mat3(0.842479062253094f, 0.0423282422610123f, 0.0423756549057051f, 0.0784335999999992f,
@@ -41,8 +42,12 @@ SHARED_FUNCTION vec3 toneMapAgx(vec3 c)
     float grey = luminance(v);
     v = pow(max(v, vec3(0.0f)), vec3(1.18f));
     v = max(vec3(grey) + (v - vec3(grey)) * 1.38f, vec3(0.0f));
-    v = outset * v;
-    return pow(clamp(v, vec3(0.0f), vec3(1.0f)), vec3(2.2f));
+    return clamp(outset * v, vec3(0.0f), vec3(1.0f));
+}
+
+SHARED_FUNCTION vec3 toneMapAgx(vec3 c)
+{
+    return pow(agxForGamma22(c), vec3(2.2f));
 }
 
 // Khronos PBR Neutral (2024).
@@ -95,6 +100,17 @@ SHARED_FUNCTION vec3 encodeSrgb(vec3 c)
     vec3 high = pow(max(c, vec3(1e-5f)), vec3(1.0f / 2.4f)) * 1.055f - vec3(0.055f);
     return vec3(c.x <= 0.0031308f ? low.x : high.x, c.y <= 0.0031308f ? low.y : high.y,
                 c.z <= 0.0031308f ? low.z : high.z);
+}
+
+// encodeSrgb(toneMap(c)); in two steps fewer where the curve ends in a power of its own.
+SHARED_FUNCTION vec3 toneMapToSrgb(int curve, vec3 c)
+{
+    if (curve != TONE_AGX) return encodeSrgb(toneMap(curve, c));
+    vec3 v = agxForGamma22(c);
+    vec3 low = v * v * (12.92f * 0.5918f); // for v to the power of 2.2: within a third of 1 / 255 down there
+    vec3 high = pow(max(v, vec3(1e-3f)), vec3(2.2f / 2.4f)) * 1.055f - vec3(0.055f);
+    const float knee = 0.0726f; // 0.0031308 to the power of 1 / 2.2
+    return vec3(v.x <= knee ? low.x : high.x, v.y <= knee ? low.y : high.y, v.z <= knee ? low.z : high.z);
 }
 
 SHARED_FUNCTION vec3 decodeSrgb(vec3 c)
