@@ -11,7 +11,7 @@ namespace {
 
 constexpr char kMagic[8] = {'W', 'O', 'L', 'D', 'L', 'V', 'L', 'S'};
 constexpr std::uint32_t kFormat = 1;
-constexpr std::uint32_t kAlgorithm = 2; // counts up with every change of what makeLevels makes
+constexpr std::uint32_t kAlgorithm = 3; // counts up with every change of what makeLevels makes
 constexpr std::uint32_t kMostLevels = 16;
 
 struct Header {

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::uint32_t kFewestCards = 12;   // fewer are no foliage
 constexpr float kTrianglesOfCard = 16;       // more in the mean are no cards
-constexpr float kGrowth = 0.5f;              // lengths grow by the kept share to this power: the cards' area stays
+constexpr float kGrowth = 0.5f;              // lengths that grow by the kept share to this power keep the cards' area
+constexpr float kSparser = 0.12f;            // so much less of the power: a crown is many leaves deep, and stays full
 constexpr float kStraightened = 0.02f;       // of the crown's size; so far a simpler card may stray
 constexpr std::size_t kSpreadCards = 4000;    // the way that spreads best takes the square of the cards
 constexpr float kPulled = 0.75f;             // of what a card at the outline grew outwards, it moves inwards
@@ -236,10 +237,11 @@ Piece Foliage::thinned(Model& model, float share) const
         area += byRank[kept]->area;
         ++kept;
     }
-    const float grown = kept == byRank.size() ? 1.0f : growthFor(area / m_area);
+    const float grown = kept == byRank.size() ? 1.0f : std::pow(area / m_area, kSparser - kGrowth);
     for (const Card& card : m_cards)
         if (card.rank < kept) grow(model, card, simple ? card.simple : card.full, grown, piece);
-    piece.error = kVisible * (grown - 1) * m_cardRadius + (simple ? m_simpleError : 0);
+    const float seen = kept == byRank.size() ? 1.0f : growthFor(area / m_area); // as if all of the area were kept
+    piece.error = kVisible * (seen - 1) * m_cardRadius + (simple ? m_simpleError : 0);
     return piece;
 }
 
