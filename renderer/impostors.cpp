@@ -23,7 +23,8 @@ gl::Texture makeArray(std::string_view label, int layers)
                         .size = glm::ivec2{IMPOSTOR_FRAMES * IMPOSTOR_FRAME_TEXELS},
                         .layers = layers,
                         .format = GL_RGBA8,
-                        .mips = IMPOSTOR_MIPS}};
+                        .mips = IMPOSTOR_MIPS,
+                        .nearestMip = true}}; // shaders ask for whole ones
 }
 
 void grow(gl::Texture& texture, std::string_view label, int layers, int kept)

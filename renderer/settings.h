@@ -28,7 +28,7 @@ struct Settings {
     ToneMap toneMap = ToneMap::Agx;
     Shading shading = Shading::Pbr;
 
-    float lodPixels = 1; // how far a coarser level may stray from the full model; set by --quality
+    float lodPixels = 1; // how far a coarser level may stray from the full model, in pixels, or texels of a shadow map; set by --quality
 
     int skyPixels = 1;   // pixels along a side of one of the sky's, but for sun and stars; set by --quality
 

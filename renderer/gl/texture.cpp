@@ -51,7 +51,7 @@ float anisotropy()
 void setSampling(GLuint id, const TextureDesc& desc)
 {
     const bool linear = desc.filter == GL_LINEAR;
-    const GLenum smooth = desc.anisotropic && drawsInSoftware() ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR;
+    const GLenum smooth = desc.nearestMip || (desc.anisotropic && drawsInSoftware()) ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR;
     const GLenum mipped = linear ? smooth : GL_NEAREST_MIPMAP_NEAREST;
     glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GLint(desc.mips > 1 ? mipped : desc.filter));
     glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GLint(desc.filter));

@@ -22,6 +22,7 @@ struct TextureDesc {
     GLenum wrap = GL_CLAMP_TO_EDGE;
     bool target = false;         // passes draw into it at each frame: for the memory's statistics
     bool compare = false;        // a shadow map: sampled by comparing, lit when nearer or equal
+    bool nearestMip = false;     // of two that would be mixed
     bool anisotropic = false;    // a surface's: filtered as well as the machine can bear
     float lodBias = 0;           // negative: sharper mips
 };

@@ -8,10 +8,9 @@
 namespace renderer {
 namespace {
 
-constexpr float kErrorTexels = 1.0f; // how far what casts a shadow may stray from its full model
 constexpr float kLeastSway = 2;      // texels; the maps' filter is as wide
 constexpr double kSwayStep = 0.04;   // s, for each cascade before it: what sways far away may lag a little
-constexpr float kGroundErrorTexels = 0.5f; // the same of the ground, which is its own nearest receiver
+constexpr float kGroundErrorTexels = 0.5f; // how far the ground may stray, which is its own nearest receiver
 constexpr std::int64_t kManyTexels = 4;    // parts that take one in so many of a window's texels are drawn as one
 
 // What a layer lacks of its cascade's window. Few and large parts cost less than many small ones that overlap.
@@ -114,7 +113,7 @@ void ShadowPass::update(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpo
             .world = scenery.world.revision(),
             .terrain = scenery.terrain.revision(),
             .culling = settings.culling,
-            .lod = settings.lod,
+            .lodPixels = settings.lod ? settings.lodPixels : 0.0f,
             .wind = {viewpoint.wind.towards, viewpoint.wind.speed, viewpoint.wind.gustiness}};
     if (layer.key.time) key.time = timeFor(index, viewpoint.time);
     if (!(key == layer.key)) layer.window = {};
@@ -140,7 +139,7 @@ bool ShadowPass::draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoin
     const CullRequest request{.volume = volume,
                               .towardSun = viewpoint.towardSun,
                               .smallestRadius = float(cascade.texel * 0.5),
-                              .errorLength = settings.lod ? float(cascade.texel) * kErrorTexels : 0.0f,
+                              .errorLength = settings.lod ? float(cascade.texel) * std::max(settings.lodPixels, 1.0f) : 0.0f,
                               .impostors = true,
                               .wind = viewpoint.wind,
                               .swayLength = float(cascade.texel) * kLeastSway,

@@ -20,7 +20,8 @@ private:
         double texel = 0, middle = 0;
         glm::dvec3 towardSun{0};
         std::uint64_t world = 0, terrain = 0;
-        bool culling = false, lod = false;
+        bool culling = false;
+        float lodPixels = 0; // 0: full models
         glm::vec4 wind{0};          // its means
         std::optional<double> time; // s, where something sways
         bool operator==(const Key&) const = default;

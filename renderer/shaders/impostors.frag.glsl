@@ -5,6 +5,7 @@
 #include "impostor.glsl"
 #include "shared/bindings.h"
 #include "shared/instance.h"
+#include "texel_noise.glsl"
 
 layout(binding = BASE_COLOUR_UNIT) uniform sampler2DArray colours;
 layout(binding = NORMAL_UNIT) uniform sampler2DArray surfaces;
@@ -28,10 +29,8 @@ void main()
 #ifdef FADE
     if (fadedAway(gl_FragCoord.xy)) discard;
 #endif
-    uvec2 p = uvec2(ivec2(gl_FragCoord.xy) - ivec2(ids.w & 0xffffu, ids.w >> 16));
-    uint h = p.x * 0x9e3779b1u ^ p.y * 0x85ebca77u;
-    h = (h ^ (h >> 15)) * 0x2c1b3c6du;
-    float which = float(h >> 22) / 1024.0, grain = float(h >> 8 & 0x3fffu) / 16384.0;
+    vec2 pixel = floor(gl_FragCoord.xy) - vec2(ivec2(ids.w << 16, ids.w) >> 16);
+    float which = texelNoise(pixel, 0u), grain = texelNoise(pixel.yx, 37u);
 
     bool first = which < shift2.z;
     bool second = which < shift2.z + shift2.w;

@@ -11,9 +11,9 @@ void main()
     vec2 size = vec2(textureSize(baseColours, 0).xy);
     vec2 dx = dFdx(uvBase) * size;
     vec2 dy = dFdy(uvBase) * size;
-    float mip = floor(0.5 * log2(max(max(dot(dx, dx), dot(dy, dy)), 1.0)));
-    mip = min(mip, float(textureQueryLevels(baseColours) - 1));
-    vec2 place = fract(uvBase) * size * exp2(-mip);
-    float alpha = texelFetch(baseColours, ivec3(place, max(cutout.x, 0.0)), int(mip)).a * cutout.z;
+    float texels = max(max(dot(dx, dx), dot(dy, dy)), 1.0); // squared
+    int mip = min(((floatBitsToInt(texels) >> 23) - 127) >> 1, textureQueryLevels(baseColours) - 1); // half of log2, rounded down
+    vec2 place = fract(uvBase) * size * intBitsToFloat((127 - mip) << 23);
+    float alpha = texelFetch(baseColours, ivec3(place, max(cutout.x, 0.0)), mip).a * cutout.z;
     if (cutout.x >= 0.0 && alpha < cutout.y) discard;
 }
