@@ -161,21 +161,31 @@ void addBands(std::vector<PartInBatch>& parts, PartInBatch part, const Binned& b
     }
 }
 
+// Models of which some copies are seen as impostors.
+std::size_t impostorsSeen(const ModelLibrary& models, const Binned& bins)
+{
+    std::size_t count = 0;
+    for (std::uint32_t bin = 0; bin + 1 < bins.begin.size(); ++bin) {
+        const ModelEntry& entry = models.entry(models.bins()[bin].model);
+        count += bins.count(bin) > 0 && entry.impostor && models.bins()[bin].level + 1 == int(entry.levels.size());
+    }
+    return count;
+}
+
 // The opaque parts of what is seen at all, grouped by batch. What has no holes first: it hides most and costs least. What
 // has some goes from front to back across all models, as each layer of leaves costs as much as the one that is seen.
 std::vector<PartInBatch> opaqueParts(const ModelLibrary& models, const Binned& bins)
 {
     std::vector<PartInBatch> parts;
+    const bool severalImpostors = impostorsSeen(models, bins) > 1; // else one command is in order by itself
     for (std::uint32_t bin = 0; bin + 1 < bins.begin.size(); ++bin) {
         if (bins.count(bin) == 0) continue;
         for (const ModelPart& part : partsOf(models, bin)) {
             const Batch& batch = models.batches()[std::size_t(part.batch)];
             const PartInBatch whole{part.batch, bin, &part, bins.begin[bin], bins.count(bin)};
             if (batch.blend) continue;
-            const bool impostor = batch.features & kFeatureImpostor;
-            if (hasHoles(batch) && !impostor) addBands(parts, whole, bins);
+            if (hasHoles(batch) && (!(batch.features & kFeatureImpostor) || severalImpostors)) addBands(parts, whole, bins);
             else parts.push_back(whole);
-            if (impostor) parts.back().band = int(kBands); // the farthest of all, and many: one command a model
         }
     }
     std::ranges::stable_sort(parts, {}, [&](const PartInBatch& p) {
