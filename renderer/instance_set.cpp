@@ -31,7 +31,8 @@ template <class T>
 std::uint64_t writeInto(gl::Buffer& buffer, std::string_view label, const std::vector<T>& values,
                         std::span<const std::uint32_t> rows)
 {
-    gl::grow(buffer, label, std::max<std::size_t>(values.size(), 1) * sizeof(T), buffer.bytes());
+    const std::size_t kept = rows.size() >= values.size() ? 0 : buffer.bytes();
+    gl::grow(buffer, label, std::max<std::size_t>(values.size(), 1) * sizeof(T), kept);
     return writeRows(buffer, std::span<const T>{values}, rows);
 }
 

@@ -27,7 +27,10 @@ bool grow(Buffer& buffer, std::string_view label, std::size_t bytes, std::size_t
 {
     if (bytes <= buffer.bytes()) return false;
     Buffer larger{label, std::max(bytes, buffer.bytes() * 2)};
-    if (keep) glCopyNamedBufferSubData(buffer.id(), larger.id(), 0, 0, GLsizeiptr(keep));
+    if (keep) {
+        glCopyNamedBufferSubData(buffer.id(), larger.id(), 0, 0, GLsizeiptr(keep));
+        glFinish(); // NVIDIA 580 lets writes that follow overtake the copy; growing is rare
+    }
     buffer = std::move(larger);
     return true;
 }
