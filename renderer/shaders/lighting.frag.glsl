@@ -7,8 +7,8 @@ layout(location = 0) in vec2 uv;
 layout(location = 1) in vec3 ray;
 layout(location = 0) out vec4 radiance;
 
-const float kOwnShadow = 0.44; // of an impostor's reach towards the sun
-const float kCrownLit = 0.763;  // share of the sun that reaches a crown's leaves past each other
+const float kOwnShadow = 0.9; // of an impostor's reach towards the sun
+const float kCrownLit = 0.715;  // share of the sun that reaches a crown's leaves past each other
 
 void main()
 {
