@@ -126,6 +126,7 @@ CulledView::CulledView(ShaderLibrary& shaders, std::size_t mostRoom)
       m_countsBuffer{"culling counts", sizeof(glsl::CullCounts)}, m_mostRoom{mostRoom},
       m_room{std::min(kFirstRoom, mostRoom)}, m_reads{std::make_unique<Reads>()}
 {
+    clear(m_countsBuffer); // read before any is counted; a fresh buffer holds anything
 }
 
 DrawList CulledView::run(GpuFrame& gpu, const gl::Program& decide, Pass& pass, const CullTable& table,
