@@ -96,7 +96,7 @@ bool drawsInSoftware(std::string_view device)
            device.find("SwiftShader") != device.npos;
 }
 
-void applyQuality(Quality quality, std::string_view device, renderer::Settings& settings)
+Quality applyQuality(Quality quality, std::string_view device, renderer::Settings& settings)
 {
     if (quality == Quality::Auto) quality = drawsInSoftware(device) ? Quality::Medium : Quality::High;
     for (const Tier& tier : kTiers) {
@@ -109,6 +109,7 @@ void applyQuality(Quality quality, std::string_view device, renderer::Settings& 
         settings.wind = tier.wind;
         settings.skyPixels = tier.skyPixels;
     }
+    return quality;
 }
 
 } // namespace app

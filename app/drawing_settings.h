@@ -23,7 +23,7 @@ bool drawsInSoftware(std::string_view device); // its name: llvmpipe and its lik
 Quality qualityFor(const renderer::DeviceSpeed& speed);
 
 // Auto picks by the device's name, so that pictures are the same each time; windows measure first.
-// docs/command-line.md holds the table.
-void applyQuality(Quality quality, std::string_view device, renderer::Settings& settings);
+// docs/command-line.md holds the table. Answers the tier that was taken.
+Quality applyQuality(Quality quality, std::string_view device, renderer::Settings& settings);
 
 } // namespace app

@@ -29,10 +29,9 @@ std::uint64_t writeRows(gl::Buffer& buffer, std::span<const T> values, std::span
 
 template <class T>
 std::uint64_t writeInto(gl::Buffer& buffer, std::string_view label, const std::vector<T>& values,
-                        std::span<const std::uint32_t> rows)
+                        std::span<const std::uint32_t> rows, bool all)
 {
-    const std::size_t kept = rows.size() >= values.size() ? 0 : buffer.bytes();
-    gl::grow(buffer, label, std::max<std::size_t>(values.size(), 1) * sizeof(T), kept);
+    gl::grow(buffer, label, std::max<std::size_t>(values.size(), 1) * sizeof(T), all ? 0 : buffer.bytes());
     return writeRows(buffer, std::span<const T>{values}, rows);
 }
 
@@ -114,14 +113,15 @@ std::uint64_t InstanceSet::upload(Wanted wanted)
         m_onGpu = false;
         return 0;
     }
-    if (!std::exchange(m_onGpu, true)) {
+    const bool all = !std::exchange(m_onGpu, true);
+    if (all) {
         m_dirty.resize(m_records.size());
         std::iota(m_dirty.begin(), m_dirty.end(), 0u);
     }
     std::ranges::sort(m_dirty);
     std::uint64_t bytes = 0;
-    if (wanted.records) bytes += writeInto(m_recordBuffer, "instances", m_records, m_dirty);
-    if (wanted.spheres) bytes += writeInto(m_cullBuffer, "spheres of instances", m_cullRecords, m_dirty);
+    if (wanted.records) bytes += writeInto(m_recordBuffer, "instances", m_records, m_dirty, all);
+    if (wanted.spheres) bytes += writeInto(m_cullBuffer, "spheres of instances", m_cullRecords, m_dirty, all);
     m_dirty.clear();
     return bytes;
 }

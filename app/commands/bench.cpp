@@ -220,8 +220,8 @@ int bench(const Options& options)
     auto studio = Studio::create(options.headless);
     if (!studio) return fault(studio.error());
     renderer::Renderer& renderer = (*studio)->renderer();
-    const Quality quality = options.quality.value_or(Quality::Auto); // as a window here would draw
-    applyQuality(quality, renderer.deviceName(), drawing);
+    const Quality asked = options.quality.value_or(Quality::Auto); // as a window here would draw
+    const Quality quality = applyQuality(asked, renderer.deviceName(), drawing);
     if (const int code = applyToDrawing(options, drawing)) return code;
 
     const double start = now(); // the first frame takes the world onto the device

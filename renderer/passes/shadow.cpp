@@ -11,7 +11,7 @@ namespace {
 constexpr float kLeastSway = 2;      // texels; the maps' filter is as wide
 constexpr double kSwayStep = 0.04;   // s, for each cascade before it: what sways far away may lag a little
 constexpr float kGroundErrorTexels = 0.5f; // how far the ground may stray, which is its own nearest receiver
-constexpr std::int64_t kManyTexels = 4;    // parts that take one in so many of a window's texels are drawn as one
+constexpr double kNearlyAll = 0.75;        // of a window's texels: parts that make up more are drawn as one
 
 // What a layer lacks of its cascade's window. Few and large parts cost less than many small ones that overlap.
 std::vector<TexelRect> missing(const TexelRect& window, const TexelRect& held, std::span<const TexelRect> stale)
@@ -21,12 +21,11 @@ std::vector<TexelRect> missing(const TexelRect& window, const TexelRect& held, s
     for (const TexelRect& rect : stale)
         all = around(all, common(rect, window));
     if (!all.empty()) parts.push_back(all);
-    std::int64_t texels = 0;
+    const auto texels = [](const TexelRect& rect) { return double(rect.high.x - rect.low.x) * double(rect.high.y - rect.low.y); };
+    double sum = 0;
     for (const TexelRect& part : parts)
-        texels += (part.high.x - part.low.x) * (part.high.y - part.low.y);
-    const std::int64_t side = window.high.x - window.low.x;
-    if (texels * kManyTexels > 3 * side * side) return {window};
-    return parts;
+        sum += texels(part);
+    return sum > kNearlyAll * texels(window) ? std::vector{window} : parts;
 }
 
 // The wind's time that a cascade's shadows stand for: the farther, the fewer times a second.
