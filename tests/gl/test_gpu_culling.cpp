@@ -162,4 +162,32 @@ TEST(DepthPyramid, HoldsTheLeastOfWhatEachTexelCovers)
     }
 }
 
+// The buffers must grow for the one that comes, and the mover alone makes more changes than there are objects.
+TEST(GpuCulling, KeepsTheOthersWhenOneMovesOftenAndOneComes)
+{
+    test::TestWorld world;
+    const io::TemplateId box = test::addTemplate(world, "box", test::box({1, 1, 1}, glm::vec4{1}));
+    const auto put = [&](int i) { return test::addObject(world, box, {.position = {i % 20 * 2.0 - 20, i / 20 * 2.0 - 8, -40}}); };
+    const io::ObjectId mover = put(0);
+    for (int i = 1; i < 200; ++i) // more than go up together because they lie near each other
+        put(i);
+    test::load(world);
+    renderer::FrameInput in = test::frame(kSize, {.eye = {0, 1, 0}});
+    in.settings.culler = renderer::Culler::Gpu;
+    test::shared().render(in);
+    for (int i = 0; i < 250; ++i) {
+        io::Object moved = *world.scene.find(mover);
+        moved.transform.position.z = -40 + i * 0.01;
+        world.scene.exchange(mover, moved);
+        test::shared().update(world.scene, world.assets, {.objects = {mover}});
+    }
+    test::shared().update(world.scene, world.assets, {.objects = {put(200)}});
+    test::shared().render(in);
+    const auto ids = test::shared().readIds({0, 0}, kSize);
+    in.settings.culler = renderer::Culler::Cpu;
+    test::shared().render(in);
+    EXPECT_TRUE(ids == test::shared().readIds({0, 0}, kSize));
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
 } // namespace
