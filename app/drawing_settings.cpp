@@ -42,15 +42,15 @@ struct Tier {
     Quality quality;
     int cascades, shadowMap;
     float shadowDistance; // m
-    float lodPixels;
+    float lodPixels, meshLeeway;
     renderer::AntiAliasing antiAliasing;
     bool wind;
     int skyPixels;
 };
-constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, 3.5f, renderer::AntiAliasing::Off, false, 4},
-                                      {Quality::Medium, 4, 1024, 350, 2.5f, renderer::AntiAliasing::Fxaa, false, 4},
-                                      {Quality::High, 4, 2048, 1000, 1, renderer::AntiAliasing::Fxaa, true, 1},
-                                      {Quality::Ultra, 4, 8192, 1e6f, 0.6f, renderer::AntiAliasing::Fxaa, true, 1}}};
+constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, 3.5f, 1.5f, renderer::AntiAliasing::Off, false, 4},
+                                      {Quality::Medium, 4, 1024, 350, 2.5f, 1.5f, renderer::AntiAliasing::Fxaa, false, 4},
+                                      {Quality::High, 4, 2048, 1000, 1, 1, renderer::AntiAliasing::Fxaa, true, 1},
+                                      {Quality::Ultra, 4, 8192, 1e6f, 0.6f, 1, renderer::AntiAliasing::Fxaa, true, 1}}};
 
 // What a tier needs, a second. A frame of 1280x720 draws half a million triangles for the camera and each cascade.
 struct Need {
@@ -105,6 +105,7 @@ Quality applyQuality(Quality quality, std::string_view device, renderer::Setting
         settings.largestShadowMap = tier.shadowMap;
         settings.farthestShadow = tier.shadowDistance;
         settings.lodPixels = tier.lodPixels;
+        settings.meshLeeway = tier.meshLeeway;
         settings.antiAliasing = tier.antiAliasing;
         settings.wind = tier.wind;
         settings.skyPixels = tier.skyPixels;

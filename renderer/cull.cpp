@@ -38,6 +38,7 @@ glsl::CullView cullView(const CullRequest& request, std::size_t instances)
     view.refused = request.refused;
     view.count = std::uint32_t(instances);
     view.impostors = request.impostors;
+    view.meshLeeway = request.meshLeeway;
     view.windMost = glsl::windMost(request.wind);
     view.swayAngle = request.swayAngle;
     view.swayLength = request.swayLength;

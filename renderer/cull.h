@@ -21,6 +21,7 @@ struct CullRequest {
     float errorAngle = 0;                // error / distance that a level of detail may have; 0: full models
     float errorLength = 0;               // m, the same for parallel light
     bool impostors = false;              // they will do
+    float meshLeeway = 1;                // so many times as far may meshes err, but not impostors
     std::optional<glm::dvec3> sortedFor; // what blends; none: for the eye
     glsl::Wind wind{};                   // speed 0: nothing sways
     float swayAngle = 0;                 // way / distance under which sway is left out

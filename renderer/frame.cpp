@@ -111,6 +111,7 @@ GeometryPass::Drawn Renderer::State::drawSurfaces(GpuFrame& gpu, const FrameInpu
                               .smallestAngle = float(kSmallestPixels / 2 * pixel),
                               .errorAngle = in.settings.lod ? in.settings.lodPixels * pixel : 0.0f,
                               .impostors = true,
+                              .meshLeeway = in.settings.meshLeeway,
                               .sortedFor = viewpoint.eye.position,
                               .wind = viewpoint.wind,
                               .swayAngle = float(kLeastSway * pixel),

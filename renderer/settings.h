@@ -29,7 +29,7 @@ struct Settings {
     Shading shading = Shading::Pbr;
 
     float lodPixels = 1; // how far a coarser level may stray from the full model, in pixels, or texels of a shadow map; set by --quality
-
+    float meshLeeway = 1; // so many times as far may meshes in the picture, but not impostors, flat as they are; set by --quality
     int skyPixels = 1;   // pixels along a side of one of the sky's, but for sun and stars; set by --quality
 
     // Caps on the shadows that a scene asks for: what a machine can bear, set by --quality.

@@ -1,5 +1,6 @@
 // Reads what a scene names: models, height map, layer images; each file once, several at a time.
 #include "io/base/paths.h"
+#include "io/files/card_trimming.h"
 #include "io/files/height_map_file.h"
 #include "io/files/image_file.h"
 #include "io/files/levels.h"
@@ -153,6 +154,7 @@ std::shared_ptr<const Model> readTemplateModel(const World& world, TemplateId id
     Result<Model> model = readModelOf(world, value->model, complaints);
     if (model) {
         addLevels(*model);
+        trimCards(*model);
         return std::make_shared<const Model>(std::move(*model));
     }
     complaints.push_back(complaintOf(templatePath(world, value->name), "model", model.error()));

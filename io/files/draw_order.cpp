@@ -53,7 +53,11 @@ std::vector<std::uint32_t> optimiseDrawOrder(Model& model)
     for (Level& level : model.levels)
         for (const Part& part : level.parts)
             order(model, level.indices, part);
+    return renumberVertices(model);
+}
 
+std::vector<std::uint32_t> renumberVertices(Model& model)
+{
     std::vector<std::uint32_t> numbers(model.vertices.size(), ~0u), old;
     const auto take = [&](std::vector<std::uint32_t>& indices) {
         for (std::uint32_t& index : indices) {

@@ -9,4 +9,7 @@ namespace io {
 // Returns the old number of each vertex.
 std::vector<std::uint32_t> optimiseDrawOrder(Model& model);
 
+// The vertices alone, in the order of their first use.
+std::vector<std::uint32_t> renumberVertices(Model& model);
+
 } // namespace io

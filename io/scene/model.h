@@ -78,8 +78,9 @@ struct Model {
     std::vector<Material> materials;    // at least one
     std::vector<std::shared_ptr<const Image>> images; // null: could not be read, drawn as a checkerboard
     Box bounds;
+    std::size_t untrimmed = 0;          // triangles before its cards were cut to what is opaque of them; 0: as many as now
 
-    std::size_t triangles() const { return indices.size() / 3; }
+    std::size_t triangles() const { return untrimmed ? untrimmed : indices.size() / 3; } // as its author made it
 };
 
 // A box from -size/2 to size/2 on x and z and from 0 to size.y: what a marker or a missing model is drawn as.

@@ -10,6 +10,7 @@ namespace {
 
 constexpr float kLeastSway = 2;      // texels; the maps' filter is as wide
 constexpr double kSwayStep = 0.04;   // s, for each cascade before it: what sways far away may lag a little
+constexpr float kMeshLeeway = 2;           // texels are blurred over three; but a flat caster hides nothing of itself
 constexpr float kGroundErrorTexels = 0.5f; // how far the ground may stray, which is its own nearest receiver
 constexpr double kNearlyAll = 0.75;        // of a window's texels: parts that make up more are drawn as one
 
@@ -140,6 +141,7 @@ bool ShadowPass::draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoin
                               .smallestRadius = float(cascade.texel * 0.5),
                               .errorLength = settings.lod ? float(cascade.texel) * std::max(settings.lodPixels, 1.0f) : 0.0f,
                               .impostors = true,
+                              .meshLeeway = kMeshLeeway,
                               .wind = viewpoint.wind,
                               .swayLength = float(cascade.texel) * kLeastSway,
                               .required = CULL_CASTS_SHADOW};

@@ -4,6 +4,8 @@
 #include "app/headless.h"
 #include "io/files/image_file.h"
 #include "io/files/json.h"
+#include "io/files/levels.h"
+#include "io/files/model_file.h"
 #include "io/files/project.h"
 #include "renderer/device.h"
 #include "tests/bench/bare_forest.h"
@@ -25,6 +27,19 @@ int fault(const io::Error& error)
     return 1;
 }
 
+// As their files have them: what Wold makes of models (levels, trimmed cards) is what is compared with.
+void useWholeModels(const io::World& world, io::Assets& assets, io::Complaints& complaints)
+{
+    const auto slots = world.scene.templates();
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        if (!slots[i].value || slots[i].value->model.empty()) continue;
+        auto model = io::readModel(world.project.folder / slots[i].value->model, world.project.folder, complaints);
+        if (!model) continue;
+        io::makeLevels(*model); // for the order of its triangles
+        assets.models[i] = std::make_shared<const io::Model>(std::move(*model));
+    }
+}
+
 int run(const Words& words)
 {
     glm::ivec2 size{1280, 720};
@@ -32,8 +47,9 @@ int run(const Words& words)
     io::Complaints complaints;
     auto world = io::openWorld(words.project, {}, complaints);
     if (!world) return fault(world.error());
-    const auto assets = io::readAssets(*world, complaints);
+    auto assets = io::readAssets(*world, complaints);
     if (!assets) return fault(assets.error());
+    useWholeModels(*world, *assets, complaints);
     const auto paths = world->scene.paths();
     const io::CameraPath* path = words.path.empty() && !paths.empty() ? &paths[0] : world->scene.findPath(words.path);
     if (!path) return fault({words.project, "has no path of that name"});

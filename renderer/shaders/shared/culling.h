@@ -38,7 +38,7 @@ struct CullView {
     uint refused;
     uint count;        // instances
     uint impostors;    // 1: they will do
-    float unused;
+    float meshLeeway;  // so many times as far may meshes err, but not impostors
     float swayAngle;   // way / distance under which sway is left out; 0: parallel light
     float swayLength;  // m, the same of parallel light
     vec2 windMost;     // windMost(); 0: nothing sways
@@ -97,6 +97,11 @@ SHARED_FUNCTION float levelError(CullModel m, int level)
     return m.errors[level / 4][level % 4];
 }
 
+SHARED_FUNCTION float leeway(CullModel m, int level, CullView v)
+{
+    return m.impostor != 0u && level + 1 == int(m.levels) ? 1.0f : v.meshLeeway;
+}
+
 struct LevelChoice {
     int level;
     int share; // of DRAWN_FADE_STEPS that it covers; what is left belongs to the finer level
@@ -111,9 +116,9 @@ SHARED_FUNCTION LevelChoice chooseLevel(CullRecord r, CullModel m, CullView v)
     float seen = v.errorAngle * max(sqrt(dot(d, d)) - r.radius, 0.0f) + v.errorLength;
     int levels = int(m.levels) - (v.impostors != 0u ? 0 : int(m.impostor));
     for (int level = 1; level < levels; ++level)
-        if (levelError(m, level) * r.radius <= seen) choice.level = level;
+        if (levelError(m, level) * r.radius <= seen * leeway(m, level, v)) choice.level = level;
     if (choice.level == 0 || v.errorAngle <= 0.0f) return choice;
-    float beyond = seen / (levelError(m, choice.level) * r.radius) - 1.0f;
+    float beyond = seen * leeway(m, choice.level, v) / (levelError(m, choice.level) * r.radius) - 1.0f;
     int share = min(int(beyond * (float(DRAWN_FADE_STEPS) / LEVEL_FADE)), DRAWN_FADE_STEPS);
     if (m.whole != 0u) share = share * 2 >= DRAWN_FADE_STEPS ? DRAWN_FADE_STEPS : 0;
     choice.share = share == 0 ? DRAWN_FADE_STEPS : share;
