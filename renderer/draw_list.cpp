@@ -42,7 +42,7 @@ private:
     bool m_parallel = false;
 };
 
-constexpr std::size_t kBands = 12;  // of distance, drawn one after the other
+constexpr std::size_t kBands = 32;  // of distance, drawn one after the other
 constexpr std::size_t kSteps = 512; // of distance, by which things are sorted roughly
 
 // Steps of distance between the nearest and the farthest thing: equal ones along parallel light, growing ones from an eye.

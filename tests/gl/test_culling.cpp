@@ -104,8 +104,25 @@ TEST(Levels, AreChosenByTheErrorThatCanBeSeen)
     EXPECT_EQ(levelsAt(1.99), (Levels{{0, 0}}));
     EXPECT_EQ(levelsAt(3), (Levels{{1, 0}}));
     EXPECT_EQ(levelsAt(4.99), (Levels{{1, 0}}));
-    EXPECT_EQ(levelsAt(5.165), (Levels{{2, 8}, {1, 16 + 8}})) << "half way they share the pixels";
+    EXPECT_EQ(levelsAt(5.005 + 4 * LEVEL_FADE / 2), (Levels{{2, 8}, {1, 16 + 8}})) << "half way they share the pixels";
     EXPECT_EQ(levelsAt(1000), (Levels{{3, 0}}));
+}
+
+TEST(Levels, MeshesMayErrFartherThanImpostors)
+{
+    glsl::CullModel model = kModel;
+    model.impostor = 1; // level 3
+    const auto level = [&](double distance, float leeway) {
+        const glsl::CullRecord record = renderer::cullRecord({0, 0, -distance}, 1, 0, 0);
+        const auto seen = seenOf({&record, 1}, {.errorAngle = 0.001f, .impostors = true, .meshLeeway = leeway}, model);
+        return int((seen.at(0).drawn >> DRAWN_LEVEL_SHIFT) & DRAWN_LEVEL_MASK);
+    };
+    EXPECT_EQ(level(1.9, 1), 0);
+    EXPECT_EQ(level(1.9, 2), 1) << "from 1.5 m";
+    EXPECT_EQ(level(4, 1), 1);
+    EXPECT_EQ(level(4, 2), 2) << "from 3 m";
+    EXPECT_EQ(level(16.5, 2), 2);
+    EXPECT_EQ(level(18.5, 2), 3);
 }
 
 TEST(Levels, ParallelLightAllowsALength)

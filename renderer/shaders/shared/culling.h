@@ -64,7 +64,7 @@ struct CullCounts { // instances: inside the view, of those large enough, of tho
 SHARED_STRUCT_END(CullCounts, 64)
 
 // Levels fade into one another over this share of the distance from which the coarser one will do.
-#define LEVEL_FADE 0.08f
+#define LEVEL_FADE 0.05f
 
 SHARED_FUNCTION bool wanted(CullRecord r, CullView v)
 {
