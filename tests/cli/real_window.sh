@@ -35,8 +35,9 @@ PY
 calm() { # WORLD: clouds that move by themselves are no sign of anything
     sed -i 's/"speed": *[0-9.]*/"speed": 0/' "$1/environments/day.json"
 }
+# Of one quality: `auto` goes on to a lower one on a busy machine, and the picture changes with it.
 start() { # EDIT-ARGUMENT…: the editor, in $window as soon as it is on the screen
-    "$wold" edit "$@" --size 1280x720 > "$home/log" 2>&1 &
+    "$wold" edit "$@" --quality medium --size 1280x720 > "$home/log" 2>&1 &
     editor=$!
     until_true 60 "a window" sh -c "xdotool search --onlyvisible --name Wold > $home/window"
     window=$(head -1 "$home/window")

@@ -3,10 +3,12 @@
 #include "tests/unit/files/model_checks.h"
 #include "tests/unit/files/support.h"
 
+#include "io/files/card_trimming.h"
 #include "io/files/documents.h"
 #include "io/files/image_bytes.h"
 #include "io/files/image_file.h"
 #include "io/files/json.h"
+#include "io/files/levels.h"
 #include "io/files/model_file.h"
 #include "io/files/scene_file.h"
 
@@ -197,9 +199,13 @@ protected:
     void read(const std::string& bytes, const char* name)
     {
         Complaints complaints;
-        const Result<Model> model = readModelBytes(bytes, m_folder / name, m_folder.path(), complaints);
-        if (model) expectSound(*model, "damaged");
+        Result<Model> model = readModelBytes(bytes, m_folder / name, m_folder.path(), complaints);
         m_taken += bool(model);
+        if (!model) return;
+        expectSound(*model, "damaged");
+        makeLevels(*model);
+        trimCards(*model);
+        expectSound(*model, "damaged, trimmed");
     }
     TemporaryFolder m_folder;
     int m_taken = 0;
@@ -212,8 +218,10 @@ std::string goodGlb()
     auto image = std::make_shared<Image>();
     image->size = {4, 4};
     image->bytes.resize(64);
+    for (const std::size_t texel : {5u, 6u, 9u}) // alpha
+        image->bytes[texel * 4 + 3] = std::byte{255};
     model.images = {image};
-    second.baseColourTexture = {.image = 0, .scale = {2, 2}};
+    second.baseColourTexture = {.image = 0, .scale = {0.9f, 0.9f}};
     second.normalTexture = {.image = 0};
     model.materials.push_back(second);
     model.parts = {{0, 18, 0}, {18, 18, 1}};
