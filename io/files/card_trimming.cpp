@@ -188,7 +188,8 @@ bool canBeTrimmed(const Card& card)
         };
         return std::abs(turn(t)) > 1e-12f && std::all_of(t.begin(), t.end(), finite);
     };
-    return card.triangles.size() <= kMostTriangles && std::isfinite(card.area) && std::all_of(card.triangles.begin(), card.triangles.end(), fine);
+    return card.triangles.size() <= kMostTriangles && std::isfinite(card.area) &&
+           std::all_of(card.triangles.begin(), card.triangles.end(), fine);
 }
 
 // What takes the card onto the texture's own square; nothing when it covers more than one of its repetitions.
@@ -264,7 +265,7 @@ void turnToBend(Polygon& polygon, const Card& card)
 bool isOne(const Card& card, const Polygon& polygon, float stray)
 {
     const glm::vec2 size = card.max - card.min;
-    if (card.front == card.back || card.area < size.x * size.y * (1 - kOnEdge)) return false;
+    if (card.front == card.back || std::abs(card.area / (size.x * size.y) - 1) > kOnEdge) return false;
     if (card.triangles.size() <= 2) return true;
     for (const glm::vec2& a : polygon)
         for (const glm::vec2& b : polygon)
@@ -371,6 +372,8 @@ void Trimming::trim(std::vector<std::uint32_t>& indices, std::vector<Part>& part
 
 void trimCards(Model& model)
 {
+    const auto canBe = [&](const Part& part) { return canBeTrimmed(model, model.materials[std::size_t(part.material)]); };
+    if (std::none_of(model.parts.begin(), model.parts.end(), canBe)) return; // most models: not even looked through
     Trimming trimming{model};
     const std::size_t untrimmed = model.triangles();
     trimming.trim(model.indices, model.parts, {.margin = kFullMargin, .corner = kFullCorner});

@@ -17,7 +17,8 @@ float turn(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c)
 // Andrew's monotone chain (1979).
 Polygon convexHull(std::vector<glm::vec2> points)
 {
-    std::sort(points.begin(), points.end(), [](const glm::vec2& a, const glm::vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+    std::sort(points.begin(), points.end(),
+              [](const glm::vec2& a, const glm::vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
     points.erase(std::unique(points.begin(), points.end()), points.end());
     if (points.size() < 3) return points;
     Polygon hull;
@@ -172,7 +173,9 @@ std::vector<glm::vec2> borderOf(const Image& image, const OutlineRequest& reques
     const glm::vec2 size{image.size};
     const glm::ivec2 first = glm::max(glm::ivec2(glm::floor(request.min * size)), 0);
     const glm::ivec2 last = glm::min(glm::ivec2(glm::ceil(request.max * size)), image.size) - 1;
-    const auto counts = [&](const T* row, int x) { return float(row[x * image.channels + image.channels - 1]) >= request.cutoff * one; };
+    const auto counts = [&](const T* row, int x) {
+        return float(row[x * image.channels + image.channels - 1]) >= request.cutoff * one;
+    };
     std::vector<glm::vec2> border;
     for (int y = first.y; y <= last.y; ++y) {
         const T* row = image.row<T>(y);
