@@ -76,6 +76,7 @@ renderer::FrameInput Viewport::frameInput(Editor& editor)
     if (m_ghost) input.ghosts = {&*m_ghost, 1};
     input.lines = m_lines;
     input.freezeCulling = freezeCulling;
+    input.ids = m_drag == Drag::Click || m_drag == Drag::Box; // a box may be let go in the next frame
     return input;
 }
 

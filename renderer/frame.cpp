@@ -126,7 +126,7 @@ GeometryPass::Drawn Renderer::State::drawSurfaces(GpuFrame& gpu, const FrameInpu
     }
     {
         const auto scope = gpu.scope("geometry");
-        geometry.begin(viewpoint);
+        geometry.begin(viewpoint, in.ids || in.show == Show::Id);
         for (const DrawList& list : drawn.objects)
             geometry.drawObjects(gpu, list);
         geometry.drawGround(gpu, scenery, drawn.ground);

@@ -1,5 +1,6 @@
 #include "renderer/renderer.h"
 
+#include "io/base/contract.h"
 #include "renderer/state.h"
 
 #include <algorithm>
@@ -105,6 +106,7 @@ std::vector<std::uint32_t> Renderer::readIds(glm::ivec2 topLeft, glm::ivec2 size
     const gl::Texture& ids = m_state->geometry.targets().id;
     std::vector<std::uint32_t> result(std::size_t(std::max(size.x, 0)) * std::size_t(std::max(size.y, 0)), 0);
     if (!ids || result.empty()) return result;
+    EXPECTS(m_state->geometry.keepsIds());
     const glm::ivec2 low = glm::max(topLeft, glm::ivec2{0});
     const glm::ivec2 high = glm::min(topLeft + size, ids.size());
     const glm::ivec2 part = high - low;

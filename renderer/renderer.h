@@ -45,6 +45,7 @@ struct FrameInput {
     std::span<const Ghost> ghosts;
     std::span<const Line> lines;
     bool markers = true;        // draw the boxes of templates without a model
+    bool ids = true;            // keep whose each pixel is, for readIds; surfaces are drawn a little faster without
     // What the first frame with this culled stays culled while the camera flies on; its view is drawn as lines.
     bool freezeCulling = false;
 };
@@ -112,7 +113,7 @@ public:
     // What the last frame holds, read back (waits for the GPU). Top row first.
     io::Image readPicture();  // RGBA8, as shown
     io::Image readRadiance(); // RGB F32, scene-linear before exposure and tone mapping; of Show::Final
-    std::vector<std::uint32_t> readIds(glm::ivec2 topLeft, glm::ivec2 size); // object ids, 0 none, kTerrainId ground
+    std::vector<std::uint32_t> readIds(glm::ivec2 topLeft, glm::ivec2 size); // object ids, 0 none, kTerrainId ground; of a frame that kept them
 
     // A small picture of a model on a plain ground in studio light; kept until the template changes.
     Picture thumbnail(io::TemplateId id, int pixels);

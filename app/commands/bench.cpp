@@ -134,7 +134,7 @@ FrameCost drawFrame(renderer::Renderer& renderer, const io::Camera& camera, cons
                     glm::ivec2 size, double time)
 {
     const FrameCost start{now(), clockMs(CLOCK_PROCESS_CPUTIME_ID), clockMs(CLOCK_THREAD_CPUTIME_ID)};
-    renderer.render({.camera = camera, .size = size, .settings = drawing, .time = time});
+    renderer.render({.camera = camera, .size = size, .settings = drawing, .time = time, .ids = false});
     const double submitted = clockMs(CLOCK_THREAD_CPUTIME_ID);
     renderer::waitForDevice();
     return {now() - start.wall, clockMs(CLOCK_PROCESS_CPUTIME_ID) - start.processor, submitted - start.submit};

@@ -62,6 +62,7 @@ renderer::FrameInput frameOf(const Options& options, const renderer::Settings& d
             .show = options.show,
             .time = time,
             .markers = options.show != renderer::Show::Final, // aids to editing, no part of the world
+            .ids = false,
             .freezeCulling = options.cullFrom.has_value()};
 }
 

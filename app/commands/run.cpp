@@ -43,7 +43,8 @@ public:
         renderer.render({.camera = request.view.camera,
                          .size = request.view.size,
                          .settings = m_drawing,
-                         .show = renderer::Show(show - names.begin())});
+                         .show = renderer::Show(show - names.begin()),
+                         .ids = false});
         return io::writeImage(request.out, radiance ? renderer.readRadiance() : renderer.readPicture());
     }
 

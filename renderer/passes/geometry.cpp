@@ -41,11 +41,15 @@ void GeometryPass::resize(glm::ivec2 size)
     m_framebuffer = gl::Framebuffer{{.label = "gbuffer",
                                      .colours = {&m_targets.colour, &m_targets.normal, &m_targets.surface, &m_targets.id},
                                      .depth = &m_targets.depth}};
+    m_withoutIds = gl::Framebuffer{{.label = "gbuffer without ids",
+                                    .colours = {&m_targets.colour, &m_targets.normal, &m_targets.surface},
+                                    .depth = &m_targets.depth}};
 }
 
-void GeometryPass::begin(const Viewpoint& viewpoint)
+void GeometryPass::begin(const Viewpoint& viewpoint, bool ids)
 {
     resize(viewpoint.eye.size);
+    m_ids = ids;
     constexpr GLuint kNobody[4] = {};
     m_framebuffer.clearDepth(0);
     glClearNamedFramebufferuiv(m_framebuffer.id(), GL_COLOR, 3, kNobody);
@@ -53,7 +57,7 @@ void GeometryPass::begin(const Viewpoint& viewpoint)
 
 void GeometryPass::drawObjects(GpuFrame& gpu, const DrawList& objects)
 {
-    m_framebuffer.bind();
+    framebuffer().bind();
     drawRanges(gpu, m_objects, objects, objects.opaque, [&](const DrawRange& range, const Batch& batch) {
         gl::apply({.depthTest = GL_GREATER,
                    .depthWrite = true,
@@ -67,7 +71,7 @@ void GeometryPass::drawObjects(GpuFrame& gpu, const DrawList& objects)
 void GeometryPass::drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draw& ground)
 {
     if (!scenery.terrain.present() || !gpu.use(groundProgram(scenery.terrain.layers()))) return;
-    m_framebuffer.bind();
+    framebuffer().bind();
     gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GL_BACK});
     scenery.terrain.bind(gpu);
     scenery.terrain.draw(gpu, ground);

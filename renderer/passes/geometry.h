@@ -23,22 +23,26 @@ public:
         std::vector<DrawList> objects;
         Terrain::Draw ground;
     };
-    void begin(const Viewpoint& viewpoint); // empty targets
+    void begin(const Viewpoint& viewpoint, bool ids); // empty targets; without `ids` those stay empty
     void drawObjects(GpuFrame& gpu, const DrawList& objects);
     void drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draw& ground);
     const GBuffer& finish();                // what later passes may read
     const GBuffer& targets() const { return m_targets; }
+    bool keepsIds() const { return m_ids; }
 
 private:
     void resize(glm::ivec2 size);
 
     const gl::Program& groundProgram(int layers);
+    const gl::Framebuffer& framebuffer() const { return m_ids ? m_framebuffer : m_withoutIds; }
 
     ShaderLibrary& m_shaders;
     ObjectPrograms m_programs;
     gl::VertexArray m_objects;
     GBuffer m_targets;
     gl::Framebuffer m_framebuffer;
+    gl::Framebuffer m_withoutIds; // the same targets but one
+    bool m_ids = true;
 };
 
 } // namespace renderer

@@ -93,6 +93,26 @@ TEST(WorldPicture, TheObjectAtThePixelIsTheOneThatStandsThere)
     EXPECT_EQ(test::shared().readIds({-5, -5}, {3, 3}), std::vector<std::uint32_t>(9, 0u)) << "outside is nobody";
 }
 
+TEST(WorldPicture, IsTheSameWhereIdsAreNotKept)
+{
+    test::TestWorld world;
+    const io::TemplateId id = test::addTemplate(world, "box", test::box({1, 1, 1}, glm::vec4{1}));
+    const io::ObjectId object = test::addObject(world, id, {});
+    test::load(world);
+    renderer::FrameInput in = test::frame(kSize, kFront);
+    in.ids = false;
+    test::shared().render(in);
+    const io::Image without = test::shared().readPicture();
+    in.ids = true;
+    const std::vector<std::uint32_t> ids = idsOf(in);
+    EXPECT_TRUE(std::ranges::find(ids, io::number(object)) != ids.end());
+    EXPECT_EQ(test::shared().readPicture().bytes, without.bytes);
+    in.ids = false;
+    in.show = renderer::Show::Id; // needs them all the same
+    test::shared().render(in);
+    EXPECT_TRUE(test::shared().readIds({0, 0}, kSize) == ids);
+}
+
 TEST(WorldPicture, FarFromTheOriginThingsStandStill)
 {
     for (const double far : {0.0, 90000.0}) {
