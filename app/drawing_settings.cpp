@@ -48,7 +48,7 @@ struct Tier {
     int skyPixels;
 };
 constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, 3.5f, 1.5f, renderer::AntiAliasing::Off, false, 4},
-                                      {Quality::Medium, 4, 1024, 350, 2.5f, 1.5f, renderer::AntiAliasing::Fxaa, false, 4},
+                                      {Quality::Medium, 4, 1024, 350, 3.0f, 1.5f, renderer::AntiAliasing::Fxaa, false, 4},
                                       {Quality::High, 4, 2048, 1000, 1, 1, renderer::AntiAliasing::Fxaa, true, 1},
                                       {Quality::Ultra, 4, 8192, 1e6f, 0.6f, 1, renderer::AntiAliasing::Fxaa, true, 1}}};
 
