@@ -10,6 +10,7 @@ find_package(meshoptimizer REQUIRED)
 find_package(simdjson REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(PNG REQUIRED)
+find_package(JPEG REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(embree 3 REQUIRED)
 # Debian's CMake package of OpenImageIO names files of packages that are not installed; its pkg-config file does not.

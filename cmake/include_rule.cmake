@@ -13,7 +13,7 @@ endforeach()
 
 # Header (as a regular expression) -> the folders that may include it.
 set(owned
-    "tiny_gltf|OpenImageIO/|simdjson|nlohmann/|meshoptimizer|png.h=io/files"
+    "tiny_gltf|OpenImageIO/|simdjson|nlohmann/|meshoptimizer|png.h|jpeglib.h=io/files"
     "epoxy/gl=renderer"
     "epoxy/egl|GLFW/|CLI/|imgui_impl_|AL/=app"
     "embree[34]/=editor"

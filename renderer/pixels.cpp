@@ -60,27 +60,48 @@ bool isBytes(const io::Image& image)
     return image.type == io::PixelType::U8 && image.channels >= 3;
 }
 
-Plane planeOfBytes(const io::Image& image, bool srgb)
+class ByteTexels {
+public:
+    ByteTexels(const io::Image& image, bool srgb) : m_image{image}, m_colour{srgb ? decodeTable() : linear()} {}
+
+    glm::vec4 at(const std::uint8_t* from) const
+    {
+        return {m_colour[from[0]], m_colour[from[1]], m_colour[from[2]], m_image.channels == 4 ? linear()[from[3]] : 1.0f};
+    }
+    const std::uint8_t* row(int y) const { return m_image.row<std::uint8_t>(y); }
+    int channels() const { return m_image.channels; }
+    glm::ivec2 size() const { return m_image.size; }
+
+private:
+    static const std::array<float, 256>& linear()
+    {
+        static const auto table = [] {
+            std::array<float, 256> values{};
+            for (int i = 0; i < 256; ++i)
+                values[std::size_t(i)] = float(i) / 255;
+            return values;
+        }();
+        return table;
+    }
+
+    const io::Image& m_image;
+    const std::array<float, 256>& m_colour;
+};
+
+Plane planeOfBytes(const ByteTexels& texels)
 {
-    static const auto linear = [] {
-        std::array<float, 256> values{};
-        for (int i = 0; i < 256; ++i)
-            values[std::size_t(i)] = float(i) / 255;
-        return values;
-    }();
-    const std::array<float, 256>& colour = srgb ? decodeTable() : linear;
-    const auto* from = reinterpret_cast<const std::uint8_t*>(image.bytes.data());
-    Plane plane(std::size_t(image.size.x) * image.size.y);
+    Plane plane(std::size_t(texels.size().x) * texels.size().y);
+    const std::uint8_t* from = texels.row(0);
     for (glm::vec4& texel : plane) {
-        texel = {colour[from[0]], colour[from[1]], colour[from[2]], image.channels == 4 ? linear[from[3]] : 1.0f};
-        from += image.channels;
+        texel = texels.at(from);
+        from += texels.channels();
     }
     return plane;
 }
 
 Plane planeOf(const io::Image& image, ColourSpace space)
 {
-    if (isBytes(image)) return planeOfBytes(image, space == ColourSpace::Srgb);
+    if (isBytes(image)) return planeOfBytes({image, space == ColourSpace::Srgb});
     const bool srgb = space == ColourSpace::Srgb;
     const bool grey = image.channels < 3;
     const bool alpha = image.channels == 2 || image.channels == 4;
@@ -95,12 +116,10 @@ Plane planeOf(const io::Image& image, ColourSpace space)
     return plane;
 }
 
-void weighByAlpha(Plane& plane)
+glm::vec4 weighedByAlpha(const glm::vec4& texel)
 {
-    for (glm::vec4& texel : plane) {
-        const float weight = std::max(texel.w, 1 / 512.0f); // fully clear texels keep a trace of their colour
-        texel = {glm::vec3{texel} * weight, texel.w};
-    }
+    const float weight = std::max(texel.w, 1 / 512.0f); // fully clear texels keep a trace of their colour
+    return {glm::vec3{texel} * weight, texel.w};
 }
 
 Plane halved(const Plane& from, glm::ivec2 size)
@@ -114,6 +133,26 @@ Plane halved(const Plane& from, glm::ivec2 size)
             const std::size_t row1 = std::size_t(std::min(2 * y + 1, size.y - 1)) * size.x;
             result[std::size_t(y) * to.x + x] = (from[row0 + x0] + from[row0 + x1] + from[row1 + x0] + from[row1 + x1]) * 0.25f;
         }
+    return result;
+}
+
+// halved(planeOfBytes(…)) of a square with an even side, without the large plane between.
+Plane halvedBytes(const ByteTexels& texels, bool weighed)
+{
+    const int side = texels.size().x / 2;
+    const int channels = texels.channels();
+    Plane result(std::size_t(side) * side);
+    glm::vec4* to = result.data();
+    for (int y = 0; y < side; ++y) {
+        const std::uint8_t* row0 = texels.row(2 * y);
+        const std::uint8_t* row1 = texels.row(2 * y + 1);
+        for (int x = 0; x < side; ++x, row0 += 2 * channels, row1 += 2 * channels) {
+            glm::vec4 sum{0};
+            for (const std::uint8_t* from : {row0, row0 + channels, row1, row1 + channels})
+                sum += weighed ? weighedByAlpha(texels.at(from)) : texels.at(from);
+            *to++ = sum * 0.25f;
+        }
+    }
     return result;
 }
 
@@ -133,6 +172,17 @@ Plane resized(const Plane& from, glm::ivec2 size, int side)
                                                          glm::mix(texel(low.x, high.y), texel(high.x, high.y), f.x), f.y);
         }
     return result;
+}
+
+float passing(const ByteTexels& texels, float cutoff)
+{
+    if (texels.channels() < 4) return 1;
+    const std::size_t count = std::size_t(texels.size().x) * texels.size().y;
+    const std::uint8_t* alpha = texels.row(0) + 3;
+    std::size_t passed = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        passed += float(alpha[i * 4]) / 255 >= cutoff;
+    return float(passed) / float(count);
 }
 
 float passing(const Plane& plane, float cutoff)
@@ -185,6 +235,18 @@ Pixels recoded(const io::Image& image, ColourSpace space)
     return pixels;
 }
 
+// The mips below the largest, from the plane of the second on. `share` of the texels pass the cutoff.
+void addSmaller(std::vector<Pixels>& mips, Plane plane, const MipRequest& request, float share)
+{
+    const bool cut = request.alphaCutoff >= 0;
+    for (int side = request.side / 2;; side /= 2) {
+        const bool scaled = cut && side >= 4;
+        mips.push_back(bytesOf(plane, request.space, cut, scaled ? alphaFactor(plane, share, request.alphaCutoff) : 1.0f));
+        if (side == 1) return;
+        plane = halved(plane, glm::ivec2{side});
+    }
+}
+
 } // namespace
 
 int textureSide(glm::ivec2 size, int largest)
@@ -198,8 +260,14 @@ std::vector<Pixels> mipChain(const MipRequest& request)
     const auto& [source, side, space, alphaCutoff] = request;
     const io::Image& image = *source;
     const bool cut = alphaCutoff >= 0;
+    if (isBytes(image) && image.size == glm::ivec2{side} && side > 1) { // of most textures the largest mip is as it is
+        const ByteTexels texels{image, space == ColourSpace::Srgb};
+        std::vector<Pixels> mips{recoded(image, space)};
+        addSmaller(mips, halvedBytes(texels, cut), request, cut ? passing(texels, alphaCutoff) : 0);
+        return mips;
+    }
     Plane plane = planeOf(image, space);
-    if (cut) weighByAlpha(plane);
+    if (cut) std::ranges::transform(plane, plane.begin(), weighedByAlpha);
     glm::ivec2 size = image.size;
     while (size.x >= 2 * side && size.y >= 2 * side) {
         plane = halved(plane, size);
@@ -207,17 +275,9 @@ std::vector<Pixels> mipChain(const MipRequest& request)
     }
     if (size != glm::ivec2{side}) plane = resized(plane, size, side);
 
-    const float share = cut ? passing(plane, alphaCutoff) : 0;
-    std::vector<Pixels> mips;
-    for (int s = side;; s /= 2) {
-        const bool scaled = cut && s < side && s >= 4;
-        if (s == side && !cut && isBytes(image) && image.size == glm::ivec2{side})
-            mips.push_back(recoded(image, space));
-        else
-            mips.push_back(bytesOf(plane, space, cut, scaled ? alphaFactor(plane, share, alphaCutoff) : 1.0f));
-        if (s == 1) return mips;
-        plane = halved(plane, glm::ivec2{s});
-    }
+    std::vector<Pixels> mips{bytesOf(plane, space, cut, 1)};
+    if (side > 1) addSmaller(mips, halved(plane, glm::ivec2{side}), request, cut ? passing(plane, alphaCutoff) : 0);
+    return mips;
 }
 
 void mipChains(std::span<const MipRequest> requests,

@@ -17,6 +17,11 @@ constexpr std::uint32_t kQuarterIndices = kQuarter * kQuarter * 6;
 constexpr double kErrorPixels = 1.5;
 constexpr int kLargestLayer = 1024; // texels
 
+std::int16_t nearest(float v) // std::lround() takes longer than all the rest of a normal
+{
+    return std::int16_t(int(v + 32768.5f) - 32768);
+}
+
 std::vector<glm::i16vec2> normalsOf(const io::HeightMap& map)
 {
     std::vector<glm::i16vec2> normals(std::size_t(map.size.x) * map.size.y);
@@ -28,7 +33,7 @@ std::vector<glm::i16vec2> normalsOf(const io::HeightMap& map)
             const float dx = (map.at(x0, z) - map.at(x1, z)) / (step * float(x1 - x0));
             const float dz = (map.at(x, z0) - map.at(x, z1)) / (step * float(z1 - z0));
             const float scale = 32767 / std::sqrt(dx * dx + dz * dz + 1);
-            normals[std::size_t(z) * map.size.x + x] = {std::int16_t(std::lround(dx * scale)), std::int16_t(std::lround(dz * scale))};
+            normals[std::size_t(z) * map.size.x + x] = {nearest(dx * scale), nearest(dz * scale)};
         }
     return normals;
 }

@@ -41,6 +41,15 @@ fs::path resource(std::string_view relative)
     return program.parent_path().parent_path() / "share" / "wold" / relative;
 }
 
+fs::path programModule(std::string_view name)
+{
+    std::error_code ignored;
+    const fs::path built = fs::path{WOLD_BUILD_DIR} / name;
+    if (fs::exists(built, ignored)) return built;
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+    return program.parent_path().parent_path() / "lib" / "wold" / name;
+}
+
 Result<fs::path> insideFolder(const fs::path& root, std::string_view relative)
 {
     const fs::path asked{relative};

@@ -17,6 +17,10 @@ std::filesystem::path cacheFolder();  // $XDG_CACHE_HOME/wold
 // found in $WOLD_RESOURCES, in the source tree of this build, or in share/wold beside the installed program.
 std::filesystem::path resource(std::string_view relative);
 
+// A part of the program in a file of its own, as "wold_pictures.so": in this build, or in lib/wold beside the installed
+// program.
+std::filesystem::path programModule(std::string_view name);
+
 // The file that a project's text names, as an absolute path. A relative path stays inside `root`;
 // one that would leave it ("..", absolute, a link outward) is an error that names it. The file need not exist.
 Result<std::filesystem::path> insideFolder(const std::filesystem::path& root, std::string_view relative);

@@ -1,5 +1,6 @@
 // Writes a model as binary glTF 2.0 (Khronos, sections 3 and 4.4).
 #include "io/files/image_file.h"
+#include "io/files/png_file.h"
 #include "io/files/json.h"
 #include "io/files/model_file.h"
 #include "io/scene/field_words.h"

@@ -2,6 +2,7 @@
 
 #include "io/files/atomic_file.h"
 #include "io/files/image_file.h"
+#include "io/files/png_file.h"
 #include "io/scene/field_words.h"
 
 #include <algorithm>

@@ -12,5 +12,6 @@ namespace io {
 
 // 8 or 16 bits and one to four channels: a palette becomes colours, a transparent colour alpha, fewer bits become 8.
 Result<Image> decodePng(std::string_view bytes, const std::string& where);
+Result<std::string> encodePng(const Image& image); // U8 or U16
 
 } // namespace io

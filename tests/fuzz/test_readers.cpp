@@ -7,6 +7,7 @@
 #include "io/files/documents.h"
 #include "io/files/image_bytes.h"
 #include "io/files/image_file.h"
+#include "io/files/png_file.h"
 #include "io/files/json.h"
 #include "io/files/levels.h"
 #include "io/files/model_file.h"

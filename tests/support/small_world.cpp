@@ -1,6 +1,7 @@
 #include "tests/support/small_world.h"
 
 #include "io/files/image_file.h"
+#include "io/files/png_file.h"
 #include "io/files/model_file.h"
 #include "io/files/project.h"
 

@@ -3,6 +3,7 @@
 #include "editor/arrange.h"
 #include "io/files/atomic_file.h"
 #include "io/files/image_file.h"
+#include "io/files/png_file.h"
 #include "io/files/model_file.h"
 
 #include <filesystem>

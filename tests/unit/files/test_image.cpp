@@ -2,6 +2,7 @@
 
 #include "io/files/image_bytes.h"
 #include "io/files/image_file.h"
+#include "io/files/png_file.h"
 
 #include <cstdlib>
 #include <iterator>

@@ -1,0 +1,21 @@
+// The pictures that OpenImageIO reads and writes. It draws in two hundred libraries, and binding those takes longer than
+// most commands do, so it lives in a module of its own that is loaded with the first such picture.
+#pragma once
+
+#include "io/base/result.h"
+#include "io/scene/image.h"
+
+#include <string>
+#include <string_view>
+
+namespace io {
+
+struct PictureModule {
+    // `format` as imageFormat() has it. Sizes are checked against the limits of image_file.h before any pixel is read.
+    Result<Image> (*decode)(const std::string& format, std::string_view bytes, const std::string& where) = nullptr;
+    Result<std::string> (*encodeExr)(const Image& image) = nullptr; // float
+};
+
+Result<PictureModule> pictureModule(); // loaded once, kept until the end
+
+} // namespace io
