@@ -1,9 +1,13 @@
 #include "renderer/pixels.h"
 
+#include "renderer/shaders/shared/material.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <condition_variable>
+#include <mutex>
 #include <thread>
 
 namespace renderer {
@@ -191,15 +195,37 @@ float passing(const Plane& plane, float cutoff)
     return float(count) / float(plane.size());
 }
 
-// The factor on alpha with which `share` of the texels pass the cutoff.
-float alphaFactor(const Plane& plane, float share, float cutoff)
+// The factor on alpha with which `share` of the texels pass: where there is one threshold, by their order.
+float factorByRank(std::vector<float> alphas, float share, float cutoff)
+{
+    constexpr std::size_t kFewest = 16; // texels; of fewer none stands for a share
+    if (alphas.size() < kFewest) return 1;
+    const auto rank = alphas.begin() + std::ptrdiff_t((1 - share) * float(alphas.size() - 1));
+    std::ranges::nth_element(alphas, rank);
+    return *rank > 1e-3f ? std::clamp(cutoff / *rank, 0.5f, 4.0f) : 1.0f;
+}
+
+// The same where thresholds lie within `spread` around the cutoff: with which the mean of the chances to pass is the share.
+float factorByChance(const std::vector<float>& alphas, float share, float cutoff, float spread)
+{
+    float low = 0.25f, high = 16;
+    for (int step = 0; step < 12; ++step) {
+        const float factor = std::sqrt(low * high);
+        float passing = 0;
+        for (const float alpha : alphas)
+            passing += std::clamp((std::min(alpha * factor, 1.0f) - cutoff) / spread + 0.5f, 0.0f, 1.0f);
+        (passing < share * float(alphas.size()) ? low : high) = factor;
+    }
+    return std::sqrt(low * high);
+}
+
+float alphaFactor(const Plane& plane, float share, float cutoff, float mip)
 {
     if (share <= 0 || share >= 1) return 1;
     std::vector<float> alphas(plane.size());
     std::ranges::transform(plane, alphas.begin(), [](const glm::vec4& t) { return t.w; });
-    const auto rank = alphas.begin() + std::ptrdiff_t((1 - share) * float(alphas.size() - 1));
-    std::ranges::nth_element(alphas, rank);
-    return *rank > 1e-3f ? std::clamp(cutoff / *rank, 0.5f, 4.0f) : 1.0f;
+    const float spread = glsl::cutoutSpread(mip, cutoff);
+    return spread > 0 ? factorByChance(alphas, share, cutoff, spread) : factorByRank(std::move(alphas), share, cutoff);
 }
 
 Pixels bytesOf(const Plane& plane, ColourSpace space, bool weighed, float alphaScale)
@@ -240,12 +266,67 @@ void addSmaller(std::vector<Pixels>& mips, Plane plane, const MipRequest& reques
 {
     const bool cut = request.alphaCutoff >= 0;
     for (int side = request.side / 2;; side /= 2) {
-        const bool scaled = cut && side >= 4;
-        mips.push_back(bytesOf(plane, request.space, cut, scaled ? alphaFactor(plane, share, request.alphaCutoff) : 1.0f));
+        const float factor = cut ? alphaFactor(plane, share, request.alphaCutoff, float(mips.size())) : 1;
+        mips.push_back(bytesOf(plane, request.space, cut, factor));
         if (side == 1) return;
         plane = halved(plane, glm::ivec2{side});
     }
 }
+
+// Chains made out of order and taken in order. Makers stay `ahead` of what was taken: mips are large.
+class MipQueue {
+public:
+    MipQueue(std::span<const MipRequest> requests, std::size_t ahead)
+        : m_requests{requests}, m_made(requests.size()), m_ahead{ahead}, m_end{requests.size()}
+    {
+    }
+
+    void makeAll() // what is left, on a thread of its own
+    {
+        std::unique_lock lock{m_mutex};
+        for (;;) {
+            m_changed.wait(lock, [&] { return m_next >= m_end || mayMake(); });
+            if (m_next >= m_end) return;
+            makeNext(lock);
+        }
+    }
+    std::vector<Pixels> get() // the next in order; makes others while it would wait
+    {
+        std::unique_lock lock{m_mutex};
+        while (m_made[m_taken].empty())
+            if (mayMake())
+                makeNext(lock);
+            else
+                m_changed.wait(lock);
+        std::vector<Pixels> mips = std::move(m_made[m_taken++]);
+        m_changed.notify_all();
+        return mips;
+    }
+    void close() // makers stop
+    {
+        const std::lock_guard lock{m_mutex};
+        m_end = 0;
+        m_changed.notify_all();
+    }
+
+private:
+    bool mayMake() const { return m_next < std::min(m_taken + m_ahead, m_end); }
+    void makeNext(std::unique_lock<std::mutex>& lock)
+    {
+        const std::size_t number = m_next++;
+        lock.unlock();
+        std::vector<Pixels> mips = mipChain(m_requests[number]);
+        lock.lock();
+        m_made[number] = std::move(mips);
+        m_changed.notify_all();
+    }
+
+    std::span<const MipRequest> m_requests;
+    std::vector<std::vector<Pixels>> m_made;
+    std::size_t m_ahead, m_end, m_next = 0, m_taken = 0;
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+};
 
 } // namespace
 
@@ -284,17 +365,18 @@ void mipChains(std::span<const MipRequest> requests,
                const std::function<void(std::size_t, std::vector<Pixels>&)>& take)
 {
     const std::size_t threads = std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::vector<Pixels>> made(threads); // no more at once: they are large
-    for (std::size_t first = 0; first < requests.size(); first += threads) {
-        const std::size_t count = std::min(threads, requests.size() - first);
-        {
-            std::vector<std::jthread> others;
-            for (std::size_t i = 1; i < count; ++i)
-                others.emplace_back([&, i] { made[i] = mipChain(requests[first + i]); });
-            made[0] = mipChain(requests[first]);
+    MipQueue queue{requests, threads + 1};
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < std::min(threads, requests.size()); ++i)
+        others.emplace_back([&] { queue.makeAll(); });
+    try {
+        for (std::size_t i = 0; i < requests.size(); ++i) {
+            std::vector<Pixels> mips = queue.get();
+            take(i, mips);
         }
-        for (std::size_t i = 0; i < count; ++i)
-            take(first + i, made[i]);
+    } catch (...) {
+        queue.close();
+        throw;
     }
 }
 

@@ -22,9 +22,11 @@ std::int16_t nearest(float v) // std::lround() takes longer than all the rest of
     return std::int16_t(int(v + 32768.5f) - 32768);
 }
 
-std::vector<glm::i16vec2> normalsOf(const io::HeightMap& map)
+using Normals = std::vector<glm::i16vec2>; // x and z, as GL_RG16_SNORM
+
+Normals normalsOf(const io::HeightMap& map)
 {
-    std::vector<glm::i16vec2> normals(std::size_t(map.size.x) * map.size.y);
+    Normals normals(std::size_t(map.size.x) * map.size.y);
     const auto step = float(map.metresPerTexel);
     for (int z = 0; z < map.size.y; ++z)
         for (int x = 0; x < map.size.x; ++x) {
@@ -36,6 +38,23 @@ std::vector<glm::i16vec2> normalsOf(const io::HeightMap& map)
             normals[std::size_t(z) * map.size.x + x] = {nearest(dx * scale), nearest(dz * scale)};
         }
     return normals;
+}
+
+// Each the mean of four. Of an odd side the last row or column is left out, as of any mip.
+Normals halved(const Normals& from, glm::ivec2 size)
+{
+    const glm::ivec2 to = glm::max(size / 2, 1);
+    Normals result;
+    result.reserve(std::size_t(to.x) * to.y);
+    for (int z = 0; z < to.y; ++z)
+        for (int x = 0; x < to.x; ++x) {
+            const std::size_t right = size.x > 1, below = size.y > 1 ? std::size_t(size.x) : 0;
+            const glm::i16vec2* texel = &from[std::size_t(2 * z) * size.x + 2 * x];
+            const glm::ivec2 sum = glm::ivec2{texel[0]} + glm::ivec2{texel[right]} + glm::ivec2{texel[below]} +
+                                   glm::ivec2{texel[right + below]};
+            result.emplace_back(sum / 4);
+        }
+    return result;
 }
 
 // Brightness stands for the height of a cover's texels: stones over the earth between them.
@@ -176,9 +195,14 @@ void Terrain::uploadHeights()
                              .size = map.size,
                              .format = GL_RG16_SNORM,
                              .mips = gl::fullMipCount(map.size)}};
-    const std::vector<glm::i16vec2> normals = normalsOf(map);
+    Normals normals = normalsOf(map);
     m_normals.upload(normals.data(), GL_RG, GL_SHORT);
-    glGenerateTextureMipmap(m_normals.id());
+    glm::ivec2 size = map.size;
+    for (int mip = 1; mip < m_normals.mips(); ++mip) {
+        normals = halved(normals, size);
+        size = glm::max(size / 2, 1);
+        m_normals.upload(normals.data(), GL_RG, GL_SHORT, mip);
+    }
     m_block.lastTexel = glm::vec2{map.size - 1};
     m_block.texelSize = 1.0f / glm::vec2{map.size};
     m_block.metres = float(map.metresPerTexel);

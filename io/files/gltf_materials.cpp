@@ -145,13 +145,14 @@ int Materials::image(int source, const std::string& place)
     int& found = m_imagePlace[std::size_t(source)];
     if (found >= 0) return found;
     found = int(images.size());
-    Result<Image> read = m_imageBytes > kMostImageBytes ? Result<Image>{Error{place, "its images are over 2 GiB"}}
-                                                        : m_sources.readImage(std::size_t(source));
+    using Shared = Result<std::shared_ptr<const Image>>;
+    const Shared read = m_imageBytes > kMostImageBytes ? Shared{Error{place, "its images are over 2 GiB"}}
+                                                       : m_sources.readImage(std::size_t(source));
     if (read)
-        m_imageBytes += read->bytes.size();
+        m_imageBytes += (*read)->bytes.size();
     else
         m_notes.warn(place + ": " + read.error().text());
-    images.push_back(read ? std::make_shared<const Image>(std::move(*read)) : nullptr);
+    images.push_back(read ? *read : nullptr);
     return found;
 }
 

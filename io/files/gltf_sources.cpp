@@ -2,7 +2,7 @@
 
 #include "io/base/paths.h"
 #include "io/files/atomic_file.h"
-#include "io/files/image_file.h"
+#include "io/files/shared_images.h"
 
 #include <algorithm>
 #include <charconv>
@@ -162,7 +162,7 @@ Result<std::string> Sources::bytesOfView(double view) const
     return std::string{bytes.substr(std::size_t(offset), std::size_t(length))};
 }
 
-Result<Image> Sources::readImage(std::size_t index) const
+Result<std::shared_ptr<const Image>> Sources::readImage(std::size_t index) const
 {
     const Value& image = list(m_text.json, "images")[index];
     const std::string where = "image " + std::to_string(index);
@@ -172,7 +172,7 @@ Result<Image> Sources::readImage(std::size_t index) const
     if (!uri && !(view && view->asNumber())) return Error{where, "names no data"};
     const Result<std::string> bytes = uri ? read(*uri->asString(), kLargestFile) : bytesOfView(*view->asNumber());
     if (!bytes) return Error{where, bytes.error().text()};
-    return decodeImage(*bytes, uri && !uri->asString()->starts_with("data:") ? shortened(*uri->asString()) : where);
+    return decodeShared(*bytes, uri && !uri->asString()->starts_with("data:") ? shortened(*uri->asString()) : where);
 }
 
 } // namespace io::gltf

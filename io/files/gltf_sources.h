@@ -20,7 +20,7 @@ public:
     std::string_view buffer(std::size_t index) const { return m_buffers[index]; }
 
     std::size_t imageCount() const;
-    Result<Image> readImage(std::size_t index) const; // an error is for the caller to complain of
+    Result<std::shared_ptr<const Image>> readImage(std::size_t index) const; // an error is for the caller to complain of
 
 private:
     Result<std::string> read(const std::string& uri, std::uint64_t limit) const;

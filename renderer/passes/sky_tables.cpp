@@ -1,5 +1,6 @@
 #include "renderer/passes/sky_tables.h"
 
+#include "renderer/pixels.h"
 #include "renderer/shaders/shared/bindings.h"
 
 #include <cmath>
@@ -54,12 +55,7 @@ SkyTables::SkyTables(ShaderLibrary& shaders)
 void SkyTables::update(GpuFrame& gpu, const glsl::Light& light)
 {
     const auto scope = gpu.scope("sky tables");
-    if (!m_noiseMade) {
-        m_noise.framebuffer.bind();
-        gpu.fullScreen(m_noiseProgram, {}, {});
-        glGenerateTextureMipmap(m_noise.texture.id());
-        m_noiseMade = true;
-    }
+    if (!m_noiseMade) makeNoise(gpu);
     const bool air = !sameAir(light.atmosphere, m_air) || light.sunRadius != m_sunRadius;
     if (air) drawAirTables(gpu);
     if (air || !sameHeight(light.atmosphere, m_air) || light.towardSun != m_towardSun) {
@@ -70,6 +66,20 @@ void SkyTables::update(GpuFrame& gpu, const glsl::Light& light)
     }
     bind(gpu);
     drawCloudMap(gpu, light);
+}
+
+// Its mips are averaged here: software GL would build programs for that, which takes a tenth of a second.
+void SkyTables::makeNoise(GpuFrame& gpu)
+{
+    m_noise.framebuffer.bind();
+    gpu.fullScreen(m_noiseProgram, {}, {});
+    io::Image image{.size = glm::ivec2{kNoiseSize}};
+    image.bytes.resize(image.rowBytes() * kNoiseSize);
+    glGetTextureImage(m_noise.texture.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(image.bytes.size()), image.bytes.data());
+    const std::vector<Pixels> mips = mipChain({&image, kNoiseSize});
+    for (std::size_t mip = 1; mip < mips.size(); ++mip)
+        m_noise.texture.upload(mips[mip].data(), GL_RGBA, GL_UNSIGNED_BYTE, int(mip));
+    m_noiseMade = true;
 }
 
 void SkyTables::drawCloudMap(GpuFrame& gpu, const glsl::Light& light)

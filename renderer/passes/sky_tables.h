@@ -16,6 +16,7 @@ public:
     void bind(GpuFrame& gpu) const;                       // tables, noise, and the block of the sky's light
 
 private:
+    void makeNoise(GpuFrame& gpu);
     void drawAirTables(GpuFrame& gpu);
     void drawSkyView(GpuFrame& gpu);
     void drawCloudMap(GpuFrame& gpu, const glsl::Light& light);

@@ -1,10 +1,8 @@
-// What is cut out by alpha keeps its fullness far away. Mips are made so that the share of texels above the cutoff stays;
-// where a mip has few texels left to a leaf, a threshold that differs from place to place keeps the mean of them all:
+// What is cut out by alpha keeps its fullness far away. Mips are made so that the share of texels above their thresholds
+// stays; where a mip has few texels left to a leaf, a threshold that differs from place to place keeps the mean of them all:
 // after Wyman and McGuire, "Hashed Alpha Testing" (2017), the place being the texel, so that it moves with the leaf.
+#include "shared/material.h"
 #include "texel_noise.glsl"
-
-const float kHashedFrom = 2.0; // mip
-const float kHashedFully = 4.5;
 
 // The exponent's bits in place of log2() and exp2(), and no multiplied integers: this runs for every layer of leaves.
 float cutoutThreshold(vec2 uv, vec2 size, float cutoff, uint seed)
@@ -15,6 +13,5 @@ float cutoutThreshold(vec2 uv, vec2 size, float cutoff, uint seed)
     float mip = float(floatBitsToInt(texels)) * (0.5 / 8388608.0) - 63.5; // log2, straight between the powers of two
     float scale = intBitsToFloat((127 - int(mip)) << 23);
     float noise = texelNoise(floor(uv * size * scale), seed) - 0.5;
-    float hashed = clamp((mip - kHashedFrom) / (kHashedFully - kHashedFrom), 0.0, 1.0);
-    return cutoff + noise * hashed * min(cutoff, 1.0 - cutoff);
+    return cutoff + noise * cutoutSpread(mip, cutoff);
 }

@@ -38,5 +38,15 @@ SHARED_STRUCT_END(Material, 256)
 #define MATERIAL_TEXTURE_TEXEL 6  // two a texture
 #define MATERIAL_MOST_SCALE 4.0f  // of normals, in the quick words
 
+#define HASHED_FROM_MIP 2.0f
+#define HASHED_FULLY_MIP 4.5f
+
+// The width of the range around the cutoff from which a texel of this mip has its threshold.
+SHARED_FUNCTION float cutoutSpread(float mip, float cutoff)
+{
+    float hashed = clamp((mip - HASHED_FROM_MIP) / (HASHED_FULLY_MIP - HASHED_FROM_MIP), 0.0f, 1.0f);
+    return hashed * min(cutoff, 1.0f - cutoff);
+}
+
 SHARED_END
 #endif

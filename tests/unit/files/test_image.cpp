@@ -2,13 +2,17 @@
 
 #include "io/files/image_bytes.h"
 #include "io/files/image_file.h"
+#include "io/files/jpeg_file.h"
 #include "io/files/png_file.h"
+#include "io/files/shared_images.h"
 
+#include <array>
 #include <cstdlib>
 #include <iterator>
 #include <map>
 #include <span>
 #include <sstream>
+#include <thread>
 
 namespace io {
 namespace {
@@ -87,6 +91,95 @@ TEST(Image, JpegQualityIsHonoured)
     EXPECT_LT(fs::file_size(folder / "low.jpg") * 2, fs::file_size(folder / "high.jpg"));
 }
 
+std::string jpegOf(const Image& image)
+{
+    const Result<std::string> jpeg = encodeJpeg(image, 90);
+    EXPECT_TRUE(jpeg);
+    return *jpeg;
+}
+
+TEST(Image, JpegKeepsOneChannelOrThreeAndLosesAlpha)
+{
+    for (int channels = 1; channels <= 4; ++channels) {
+        Image image{.size = {16, 8}, .channels = channels, .type = PixelType::U8};
+        for (int i = 0; i < 16 * 8; ++i)
+            for (int c = 0; c < channels; ++c)
+                image.bytes.push_back(std::byte(60 + 40 * c));
+        const Result<Image> back = decodeImage(jpegOf(image), "x");
+        ASSERT_TRUE(back) << back.error().text();
+        ASSERT_EQ(back->channels, channels < 3 ? 1 : 3);
+        for (std::size_t i = 0; i < back->bytes.size(); ++i)
+            ASSERT_NEAR(int(back->bytes[i]), 60 + 40 * int(i % std::size_t(back->channels)), 3) << channels;
+    }
+}
+
+// 8 x 8 pixels of (200, 100, 40) as inks, inverted and marked so, as Adobe's programs write them.
+constexpr std::string_view kInks =
+    "ffd8ffee000e41646f626500640000000002ffdb0043000302020302020303030304030304050805050404050a070706080c0a0c0c0b0a0b0b0d"
+    "0e12100d0e110e0b0b1016101113141515150c0f171816141812141514ffdb00430103040405040509050509140d0b0d14141414141414141414"
+    "14141414141414141414141414141414141414141414141414141414141414141414141414141414ffc000140800080008040111000211010311"
+    "01041100ffc4001500010100000000000000000000000000000708ffc40014100100000000000000000000000000000000ffc400140101000000"
+    "00000000000000000000000008ffc40014110100000000000000000000000000000000ffda000e040100021103110400003f002f28044580ffd9";
+
+std::string fromHex(std::string_view digits)
+{
+    std::string bytes;
+    for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
+        bytes += char(std::stoi(std::string{digits.substr(i, 2)}, nullptr, 16));
+    return bytes;
+}
+
+TEST(Image, JpegOfInksBecomesColours)
+{
+    const Result<Image> image = decodeImage(fromHex(kInks), "x");
+    ASSERT_TRUE(image) << image.error().text();
+    ASSERT_EQ(image->channels, 3);
+    ASSERT_EQ(image->size, glm::ivec2{8});
+    for (std::size_t i = 0; i < image->bytes.size(); ++i)
+        ASSERT_NEAR(int(image->bytes[i]), (std::array{200, 100, 40})[i % 3], 4);
+}
+
+TEST(Image, JpegThatEndsEarlyOrIsDamagedIsRefusedOrRead)
+{
+    const std::string good = jpegOf(gradient<std::uint8_t>({64, 48}, 3, PixelType::U8, 7));
+    for (std::size_t size = 4; size + 2 < good.size(); size += 13) {
+        const Result<Image> cut = decodeImage(good.substr(0, size), "a.jpg");
+        ASSERT_FALSE(cut) << size << " of " << good.size();
+        EXPECT_TRUE(cut.error().text().starts_with("a.jpg: ")) << cut.error().text();
+    }
+    EXPECT_EQ(decodeImage(good.substr(0, good.size() / 2), "a.jpg").error().text(), "a.jpg: damaged: the file ends early");
+    for (std::size_t at = 2; at < good.size(); ++at) // whatever it says, it comes back
+        for (const char value : {'\0', '\x7F', '\xFF'}) {
+            std::string damaged = good;
+            damaged[at] = value;
+            (void)decodeImage(damaged, "x");
+        }
+}
+
+TEST(Image, ModelsShareWhatTheyHoldAlike)
+{
+    const Image image = gradient<std::uint8_t>({8, 8}, 3, PixelType::U8, 5);
+    const std::string png = *encodePng(image);
+    auto first = *decodeShared(png, "a");
+    EXPECT_EQ(*decodeShared(png, "b"), first);
+    EXPECT_TRUE(same(*first, image));
+    EXPECT_NE(*decodeShared(jpegOf(image), "c"), first);
+    const std::weak_ptr<const Image> left = first;
+    first.reset();
+    EXPECT_TRUE(left.expired()) << "nobody needs it";
+    EXPECT_TRUE(same(**decodeShared(png, "a"), image));
+    EXPECT_EQ(decodeShared(png.substr(0, 40), "d").error().text(), decodeImage(png.substr(0, 40), "d").error().text());
+
+    std::vector<std::shared_ptr<const Image>> together(8);
+    {
+        std::vector<std::jthread> threads;
+        for (auto& one : together)
+            threads.emplace_back([&] { one = *decodeShared(png, "e"); });
+    }
+    for (const auto& one : together)
+        EXPECT_EQ(one, together.front());
+}
+
 TEST(Image, WritingRefusesWhatAFormatCannotHold)
 {
     const TemporaryFolder folder;
@@ -145,14 +238,6 @@ TEST(Image, SizesAreRefusedFromTheHeader)
     EXPECT_FALSE(readImage(bad / "empty.png"));
     EXPECT_TRUE(readImage(bad / "png16-ok.png"));
     EXPECT_TRUE(readImage(bad / "wrong-ext-tiff.png"));
-}
-
-std::string fromHex(std::string_view digits)
-{
-    std::string bytes;
-    for (std::size_t i = 0; i + 1 < digits.size(); i += 2)
-        bytes += char(std::stoi(std::string{digits.substr(i, 2)}, nullptr, 16));
-    return bytes;
 }
 
 // 2 x 2 pixels of 2 bits, a palette of three colours, alpha for two of them, Adam7: what no writer of ours makes.
