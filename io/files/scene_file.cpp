@@ -3,6 +3,8 @@
 #include "io/files/headed_file.h"
 
 #include <algorithm>
+#include <span>
+#include <thread>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -178,6 +180,33 @@ private:
     std::size_t m_next = 0;
 };
 
+// One line for each object, of many by all processors: what each writes is put together in their order.
+void appendLines(std::string& out, const Scene& scene, std::span<const ObjectId> ids)
+{
+    constexpr std::size_t kFewest = 10'000; // of a thread
+    const std::size_t count = std::clamp<std::size_t>(ids.size() / kFewest, 1, std::max(1u, std::thread::hardware_concurrency()));
+    std::vector<std::string> parts(count);
+    const auto write = [&](std::size_t part) {
+        const std::size_t begin = ids.size() * part / count, end = ids.size() * (part + 1) / count;
+        parts[part].reserve((end - begin) * 128);
+        LineWriter lines{parts[part], scene};
+        for (std::size_t i = begin; i < end; ++i) {
+            parts[part] += i == 0 ? "\n" : ",\n";
+            lines.line(scene.at(ids[i]));
+        }
+    };
+    {
+        std::vector<std::jthread> others;
+        for (std::size_t part = 1; part < count; ++part)
+            others.emplace_back(write, part);
+        write(0);
+    }
+    for (std::string& part : parts) {
+        out += part;
+        part = {};
+    }
+}
+
 } // namespace
 
 Result<std::string> readSceneText(std::string text, const std::string& name, Scene& scene, Complaints& complaints)
@@ -226,13 +255,8 @@ std::string sceneText(const Scene& scene, const std::string& environmentFile)
     writer.extras();
     writer.name("objects");
     out += '[';
-    LineWriter lines{out, scene};
-    bool first = true;
-    for (const ObjectId id : ids) {
-        out += std::exchange(first, false) ? "\n" : ",\n";
-        lines.line(scene.at(id));
-    }
-    out += first ? "]\n}\n" : "\n]}\n";
+    appendLines(out, scene, ids);
+    out += ids.empty() ? "]\n}\n" : "\n]}\n";
     return out;
 }
 
