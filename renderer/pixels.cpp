@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <thread>
 
@@ -293,11 +294,13 @@ public:
     std::vector<Pixels> get() // the next in order; makes others while it would wait
     {
         std::unique_lock lock{m_mutex};
-        while (m_made[m_taken].empty())
+        while (m_made[m_taken].empty()) {
+            if (m_fault) std::rethrow_exception(m_fault);
             if (mayMake())
                 makeNext(lock);
             else
                 m_changed.wait(lock);
+        }
         std::vector<Pixels> mips = std::move(m_made[m_taken++]);
         m_changed.notify_all();
         return mips;
@@ -315,8 +318,15 @@ private:
     {
         const std::size_t number = m_next++;
         lock.unlock();
-        std::vector<Pixels> mips = mipChain(m_requests[number]);
+        std::vector<Pixels> mips;
+        std::exception_ptr fault; // want of memory is told by get(), not died of here
+        try {
+            mips = mipChain(m_requests[number]);
+        } catch (...) {
+            fault = std::current_exception();
+        }
         lock.lock();
+        if (fault) m_fault = fault;
         m_made[number] = std::move(mips);
         m_changed.notify_all();
     }
@@ -324,6 +334,7 @@ private:
     std::span<const MipRequest> m_requests;
     std::vector<std::vector<Pixels>> m_made;
     std::size_t m_ahead, m_end, m_next = 0, m_taken = 0;
+    std::exception_ptr m_fault;
     std::mutex m_mutex;
     std::condition_variable m_changed;
 };

@@ -21,7 +21,7 @@ Result<Image> decode(std::string_view bytes, const std::string& where)
     if (format == "png") return decodePng(withoutMetadata(bytes), where);
     if (format == "jpeg") return decodeJpeg(withoutMetadata(bytes), where);
     const Result<PictureModule> module = pictureModule();
-    if (!module) return module.error();
+    if (!module) return Error{where, module.error().what};
     return module->decode(format, bytes, where);
 }
 
@@ -72,9 +72,13 @@ Status writeImage(const std::filesystem::path& file, const Image& image, int qua
     if (extension == ".exr" && image.type != PixelType::F32) return unfit(file, ".exr holds float pixels");
     if (extension != ".exr" && image.type == PixelType::F32) return unfit(file, "float pixels need .exr");
     if (extension == ".jpg" && image.type != PixelType::U8) return unfit(file, ".jpg holds 8 bits a channel");
-    const Result<std::string> bytes = encode(extension, image, quality);
-    if (!bytes) return Error{file.string(), bytes.error().what};
-    return writeFile(file, *bytes);
+    try {
+        const Result<std::string> bytes = encode(extension, image, quality);
+        if (!bytes) return Error{file.string(), bytes.error().what};
+        return writeFile(file, *bytes);
+    } catch (const std::exception& error) {
+        return unfit(file, error.what());
+    }
 }
 
 } // namespace io

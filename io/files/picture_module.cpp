@@ -14,8 +14,8 @@ Result<PictureModule> load()
     void* const entry = module ? dlsym(module, "woldPictures") : nullptr;
     if (!entry) {
         const char* why = dlerror();
-        return Error{file, std::string{"cannot be loaded, so TIFF, EXR, HDR and DDS cannot be read: "} + (why ? why : "damaged") +
-                               "; install Wold again"};
+        return Error{file, std::string{"what reads and writes TIFF, EXR, HDR and DDS cannot be loaded: "} +
+                               (why ? why : "it is damaged") + "; install Wold again"};
     }
     return reinterpret_cast<PictureModule (*)()>(entry)();
 }

@@ -5,6 +5,7 @@
 #include <bit>
 #include <csetjmp>
 #include <cstring>
+#include <new>
 #include <png.h>
 #include <zlib.h>
 #include <vector>
@@ -30,7 +31,13 @@ void take(png_structp png, png_bytep to, std::size_t size)
 
 void put(png_structp png, png_bytep from, std::size_t size)
 {
-    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(from), size);
+    bool kept = true; // nothing is thrown through libpng
+    try {
+        static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(from), size);
+    } catch (const std::bad_alloc&) {
+        kept = false;
+    }
+    if (!kept) png_error(png, "there is not enough memory");
 }
 
 void flush(png_structp) {}

@@ -3,6 +3,7 @@
 #include "io/files/headed_file.h"
 
 #include <algorithm>
+#include <future>
 #include <span>
 #include <thread>
 #include <unordered_map>
@@ -185,26 +186,24 @@ void appendLines(std::string& out, const Scene& scene, std::span<const ObjectId>
 {
     constexpr std::size_t kFewest = 10'000; // of a thread
     const std::size_t count = std::clamp<std::size_t>(ids.size() / kFewest, 1, std::max(1u, std::thread::hardware_concurrency()));
-    std::vector<std::string> parts(count);
-    const auto write = [&](std::size_t part) {
-        const std::size_t begin = ids.size() * part / count, end = ids.size() * (part + 1) / count;
-        parts[part].reserve((end - begin) * 128);
-        LineWriter lines{parts[part], scene};
-        for (std::size_t i = begin; i < end; ++i) {
-            parts[part] += i == 0 ? "\n" : ",\n";
+    const auto write = [&](std::string& to, std::size_t part) {
+        LineWriter lines{to, scene};
+        for (std::size_t i = ids.size() * part / count; i < ids.size() * (part + 1) / count; ++i) {
+            to += i == 0 ? "\n" : ",\n";
             lines.line(scene.at(ids[i]));
         }
     };
-    {
-        std::vector<std::jthread> others;
-        for (std::size_t part = 1; part < count; ++part)
-            others.emplace_back(write, part);
-        write(0);
-    }
-    for (std::string& part : parts) {
-        out += part;
-        part = {};
-    }
+    std::vector<std::future<std::string>> others; // which hand on what they throw: want of memory is told, not died of
+    for (std::size_t part = 1; part < count; ++part)
+        others.push_back(std::async(std::launch::async, [&write, &ids, count, part] {
+            std::string lines;
+            lines.reserve(ids.size() / count * 128);
+            write(lines, part);
+            return lines;
+        }));
+    write(out, 0);
+    for (std::future<std::string>& other : others)
+        out += other.get();
 }
 
 } // namespace

@@ -14,7 +14,8 @@ void main()
     vec2 dx = dFdx(uvBase) * size;
     vec2 dy = dFdy(uvBase) * size;
     float texels = max(max(dot(dx, dx), dot(dy, dy)), 1.0); // squared
-    int mip = min(((floatBitsToInt(texels) >> 23) - 127) >> 1, max(textureQueryLevels(baseColours) - 1 - kSmallest, 0)); // half of log2, rounded down
+    int last = max(textureQueryLevels(baseColours) - 1 - kSmallest, 0);
+    int mip = min(((floatBitsToInt(texels) >> 23) - 127) >> 1, last); // half of log2, rounded down
     vec2 place = fract(uvBase) * size * intBitsToFloat((127 - mip) << 23);
     float alpha = texelFetch(baseColours, ivec3(place, max(cutout.x, 0.0)), mip).a * cutout.z;
     if (cutout.x >= 0.0 && alpha < cutout.y) discard;
