@@ -29,7 +29,7 @@ template <class Named> std::string namesOf(std::span<const Named> all)
 io::Camera middleOf(const editor::Document& document)
 {
     io::Camera camera{.name = "middle"};
-    if (const auto& heights = document.assets().heights) {
+    if (const auto& heights = document.scene().heights()) {
         const glm::dvec2 middle = heights->origin + glm::dvec2{heights->size - 1} * heights->metresPerTexel * 0.5;
         camera.eye = {middle.x, heights->height(middle.x, middle.y).value_or(0) + 10, middle.y};
         return camera;

@@ -121,6 +121,13 @@ void chooseTool(Editor& e, GizmoMode mode)
 {
     e.viewport().gizmo.mode = mode;
     e.viewport().gizmoShown = true;
+    e.viewport().sculpting = false;
+}
+
+void chooseSculpting(Editor& e)
+{
+    if (e.viewport().sculpting) e.viewport().sculpting = false;
+    else e.viewport().sculptWith(e, e.viewport().brush.tool);
 }
 
 void place(Editor& e)
@@ -265,16 +272,32 @@ void toolActions(Actions& a, Editor& e)
                .keys = {.key = key},
                .otherKeys = {.key = digit},
                .run = [&e, mode] { chooseTool(e, mode); },
-               .checked = [&e, mode] { return e.viewport().gizmoShown && e.viewport().gizmo.mode == mode; }});
+               .checked = [&e, mode] { return e.viewport().gizmoShown && !e.viewport().sculpting && e.viewport().gizmo.mode == mode; }});
     };
     a.add({.id = "tool_select",
            .icon = Icon::Select,
            .keys = {.key = Key::Q},
-           .run = [&e] { e.viewport().gizmoShown = false; },
-           .checked = [&e] { return !e.viewport().gizmoShown; }});
+           .run = [&e] { e.viewport().gizmoShown = e.viewport().sculpting = false; },
+           .checked = [&e] { return !e.viewport().gizmoShown && !e.viewport().sculpting; }});
     tool("tool_move", Icon::Translate, Key::W, Key::Digit1, GizmoMode::Translate);
     tool("tool_rotate", Icon::Rotate, Key::E, Key::Digit2, GizmoMode::Rotate);
     tool("tool_scale", Icon::Scale, Key::R, Key::Digit3, GizmoMode::Scale);
+    a.add({.id = "tool_sculpt",
+           .icon = Icon::Terrain,
+           .keys = {.key = Key::B},
+           .otherKeys = {.key = Key::Digit4},
+           .run = [&e] { chooseSculpting(e); },
+           .enabled = [&e] { return e.document() && e.document()->scene().heights(); },
+           .checked = [&e] { return e.viewport().sculpting; }});
+    const auto resize = [&](std::string_view id, Key key, float factor) {
+        a.add({.id = id,
+               .keys = {.key = key},
+               .run = [&e, factor] { e.viewport().resizeBrush(factor); },
+               .enabled = [&e] { return e.viewport().sculpting; },
+               .repeats = true});
+    };
+    resize("brush_smaller", Key::LeftBracket, 1 / 1.15f);
+    resize("brush_larger", Key::RightBracket, 1.15f);
     a.add({.id = "space",
            .icon = Icon::Local,
            .keys = {.key = Key::X},

@@ -24,6 +24,9 @@ public:
     virtual bool changesNothing(const io::World& world) const = 0; // swapping now would leave the world as it is
     virtual std::size_t bytes() const = 0;                         // memory held, for the budget
 
+    // Called once when the step goes into the history, already done: time to become small.
+    virtual void pack(const io::World& world) { (void)world; }
+
     // Makes this step, already done, also undo `later`, done after it; keeps its own older values. False: cannot.
     virtual bool absorb(Command& later)
     {

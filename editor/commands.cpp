@@ -1,6 +1,7 @@
 #include "editor/commands.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace editor {
 namespace {
@@ -150,6 +151,115 @@ template class SwapPart<io::Environment>;
 template class SwapPart<io::Terrain>;
 template class SwapPart<std::vector<io::Camera>>;
 template class SwapPart<std::vector<io::CameraPath>>;
+
+namespace {
+
+constexpr std::size_t kTileTexels = std::size_t(io::HeightTile::kSide) * io::HeightTile::kSide;
+
+bool sameShape(const io::HeightMap* a, const io::HeightMap* b)
+{
+    return a && b && a->size == b->size;
+}
+
+template <class Visit> void forTilesThatDiffer(const io::HeightMap& a, const io::HeightMap& b, Visit&& visit)
+{
+    for (int z = 0; z < a.tiles().y; ++z)
+        for (int x = 0; x < a.tiles().x; ++x)
+            if (a.tile({x, z}) != b.tile({x, z})) visit(glm::ivec2{x, z});
+}
+
+// The four bytes of each number apart, as like bytes pack better beside each other.
+std::vector<std::byte> differenceOf(const std::vector<float>& a, const std::vector<float>& b)
+{
+    std::vector<std::byte> planes(kTileTexels * 4);
+    for (std::size_t i = 0; i < kTileTexels; ++i) {
+        const std::uint32_t bits = std::bit_cast<std::uint32_t>(a[i]) ^ std::bit_cast<std::uint32_t>(b[i]);
+        for (std::size_t plane = 0; plane < 4; ++plane)
+            planes[plane * kTileTexels + i] = std::byte(bits >> (8 * plane));
+    }
+    return planes;
+}
+
+std::vector<float> applied(std::vector<float> metres, const std::vector<std::byte>& planes)
+{
+    for (std::size_t i = 0; i < kTileTexels; ++i) {
+        std::uint32_t bits = 0;
+        for (std::size_t plane = 0; plane < 4; ++plane)
+            bits |= std::uint32_t(planes[plane * kTileTexels + i]) << (8 * plane);
+        metres[i] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(metres[i]) ^ bits);
+    }
+    return metres;
+}
+
+} // namespace
+
+io::Changes SwapHeights::swap(io::World& world)
+{
+    const std::shared_ptr<const io::HeightMap> now = world.scene.heights();
+    if (m_packed) {
+        std::vector<std::pair<glm::ivec2, std::vector<float>>> tiles;
+        for (const Difference& difference : m_differences)
+            tiles.emplace_back(difference.tile, applied(now->tile(difference.tile)->metres, difference.bits.unpacked()));
+        world.scene.exchange(std::make_shared<const io::HeightMap>(now->withTiles(std::move(tiles))));
+        return {.heights = {m_changed}};
+    }
+    // Where the ground lies may have been changed by another command of the same step.
+    if (now && m_other && (now->metresPerTexel != m_other->metresPerTexel || now->origin != m_other->origin))
+        m_other = std::make_shared<const io::HeightMap>(m_other->placed(now->metresPerTexel, now->origin));
+    io::TexelRect all = m_changed;
+    if (!sameShape(now.get(), m_other.get())) {
+        if (now) all = around(all, now->texels());
+        if (m_other) all = around(all, m_other->texels());
+    }
+    m_other = world.scene.exchange(std::move(m_other));
+    m_tiles = 0;
+    if (sameShape(world.scene.heights().get(), m_other.get()))
+        forTilesThatDiffer(*world.scene.heights(), *m_other, [this](glm::ivec2) { ++m_tiles; });
+    else if (m_other)
+        m_tiles = std::size_t(m_other->tiles().x) * m_other->tiles().y;
+    return {.heights = {all}};
+}
+
+bool SwapHeights::changesNothing(const io::World& world) const
+{
+    if (m_packed) return m_differences.empty();
+    const auto& now = world.scene.heights();
+    return now == m_other || (now && m_other && *now == *m_other);
+}
+
+std::size_t SwapHeights::bytes() const
+{
+    std::size_t bytes = sizeof *this + m_tiles * kTileTexels * sizeof(float);
+    for (const Difference& difference : m_differences)
+        bytes += sizeof difference + difference.bits.bytes();
+    return bytes;
+}
+
+bool SwapHeights::absorb(Command& later)
+{
+    const auto* other = dynamic_cast<SwapHeights*>(&later);
+    if (!other) return false;
+    m_changed = around(m_changed, other->m_changed);
+    return true;
+}
+
+void SwapHeights::pack(const io::World& world)
+{
+    const auto& now = world.scene.heights();
+    if (m_packed || !sameShape(now.get(), m_other.get())) return;
+    forTilesThatDiffer(*now, *m_other, [&](glm::ivec2 tile) {
+        m_differences.push_back({tile, io::PackedBytes{differenceOf(now->tile(tile)->metres, m_other->tile(tile)->metres)}});
+    });
+    m_other = nullptr;
+    m_tiles = 0;
+    m_packed = true;
+}
+
+void Composite::pack(const io::World& world)
+{
+    for (const auto& command : m_commands)
+        command->pack(world);
+}
 
 void Composite::add(std::unique_ptr<Command> done)
 {

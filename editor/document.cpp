@@ -33,7 +33,7 @@ void Document::run(std::unique_ptr<Command> command)
     if (m_gesture)
         m_gesture->add(std::move(command));
     else
-        m_history.push(std::move(command));
+        keep(std::move(command));
 }
 
 void Document::beginGesture(std::string name)
@@ -45,7 +45,13 @@ void Document::endGesture()
 {
     if (m_gestureDepth == 0 || --m_gestureDepth > 0) return;
     std::unique_ptr<Composite> gesture = std::exchange(m_gesture, nullptr);
-    if (!gesture->changesNothing(m_world)) m_history.push(std::move(gesture));
+    if (!gesture->changesNothing(m_world)) keep(std::move(gesture));
+}
+
+void Document::keep(std::unique_ptr<Command> done)
+{
+    done->pack(m_world);
+    m_history.push(std::move(done));
 }
 
 void Document::cancelGesture()
@@ -114,9 +120,9 @@ void setEnvironment(Document& document, std::string name, io::Environment enviro
     document.run(std::make_unique<SwapEnvironment>(std::move(name), std::move(environment)));
 }
 
-void setTerrain(Document& document, std::string name, io::Terrain terrain)
+void setHeights(Document& document, std::string name, std::shared_ptr<const io::HeightMap> heights, const io::TexelRect& changed)
 {
-    document.run(std::make_unique<SwapTerrain>(std::move(name), std::move(terrain)));
+    document.run(std::make_unique<SwapHeights>(std::move(name), std::move(heights), changed));
 }
 
 void setCameras(Document& document, std::string name, std::vector<io::Camera> cameras)

@@ -59,6 +59,9 @@ public:
     io::Result<io::FileTransaction::Report> saveAs(const std::filesystem::path& folder);
     io::Status reload(const io::Progress& progress = {}); // from disk; forgets the history
 
+    // The heights of the file that such a terrain names; null where there are none or, with a complaint, they cannot be read.
+    std::shared_ptr<const io::HeightMap> readHeights(const io::Terrain& terrain);
+
     // Reads the model of a template again, as after its file changed.
     void reloadModel(io::TemplateId id);
 
@@ -68,6 +71,7 @@ public:
 
 private:
     void apply(Command& command);
+    void keep(std::unique_ptr<Command> done);
     std::string step(Command* (History::*which)());
     void follow(const io::Changes& changes);
     void readChangedAssets(const io::Changes& changes);
@@ -132,7 +136,10 @@ void edit(Document& document, std::string name, std::span<const io::ObjectId> id
 }
 
 void setEnvironment(Document& document, std::string name, io::Environment environment);
+// Another file is read; other heights of the lowest and highest value scale the ground.
 void setTerrain(Document& document, std::string name, io::Terrain terrain);
+// `changed`: where they differ from the scene's.
+void setHeights(Document& document, std::string name, std::shared_ptr<const io::HeightMap> heights, const io::TexelRect& changed);
 void setCameras(Document& document, std::string name, std::vector<io::Camera> cameras);
 void setPaths(Document& document, std::string name, std::vector<io::CameraPath> paths);
 void setTemplate(Document& document, std::string name, io::TemplateId id, std::optional<io::Template> value);

@@ -14,10 +14,16 @@ void logComplaints(const io::Complaints& complaints, std::size_t from)
         io::log::warning("{}: {}", complaints[i].where, complaints[i].what);
 }
 
-bool sameHeights(const io::Terrain& a, const io::Terrain& b)
+constexpr double kLeastSpan = 1e-3; // m; heights squeezed into less could not be drawn apart again
+
+// The same shares of the way from one pair of heights to the other.
+std::shared_ptr<const io::HeightMap> scaled(const io::HeightMap& heights, const io::Terrain& from, const io::Terrain& to)
 {
-    return a.heightMap == b.heightMap && a.metresPerTexel == b.metresPerTexel && a.origin == b.origin &&
-           a.minHeight == b.minHeight && a.maxHeight == b.maxHeight;
+    const double factor = (to.maxHeight - to.minHeight) / (from.maxHeight - from.minHeight);
+    io::HeightGrid grid = heights.read(heights.texels());
+    for (float& metres : grid.metres)
+        metres = float(to.minHeight + (double(metres) - from.minHeight) * factor);
+    return std::make_shared<const io::HeightMap>(heights.with(grid, {0, 0}));
 }
 
 bool sameImages(const io::Terrain& a, const io::Terrain& b)
@@ -91,22 +97,41 @@ void Document::readChangedAssets(const io::Changes& changes)
 void Document::readChangedTerrain()
 {
     const io::Terrain& now = m_world.scene.terrain();
-    const bool heights = !sameHeights(now, m_readTerrain), images = !sameImages(now, m_readTerrain);
+    const bool images = !sameImages(now, m_readTerrain);
     m_readTerrain = now;
-    if (!heights && !images) return;
+    if (!images) return;
     io::Terrain wanted = now;
-    if (!heights) wanted.heightMap.clear();
-    if (!images) wanted.layers.clear();
+    wanted.heightMap.clear();
     io::World ground; // a world that names nothing but those files
     ground.project = m_world.project;
     ground.entry = m_world.entry;
     ground.scene.exchange(std::move(wanted));
     const std::size_t before = m_complaints.size();
-    if (io::Result<io::Assets> read = io::readAssets(ground, m_complaints); read) {
-        if (heights) m_assets.heights = std::move(read->heights);
-        if (images) m_assets.layers = std::move(read->layers);
-    }
+    if (io::Result<io::Assets> read = io::readAssets(ground, m_complaints); read) m_assets.layers = std::move(read->layers);
     logComplaints(m_complaints, before);
+}
+
+std::shared_ptr<const io::HeightMap> Document::readHeights(const io::Terrain& terrain)
+{
+    if (terrain.heightMap.empty()) return nullptr;
+    const std::size_t before = m_complaints.size();
+    auto heights = io::readHeights(m_world, terrain, m_complaints);
+    logComplaints(m_complaints, before);
+    return heights;
+}
+
+void setTerrain(Document& document, std::string name, io::Terrain terrain)
+{
+    const io::Terrain before = document.scene().terrain();
+    const auto heights = document.scene().heights();
+    const bool otherFile = terrain.heightMap != before.heightMap;
+    const bool otherRange = terrain.minHeight != before.minHeight || terrain.maxHeight != before.maxHeight;
+    const Gesture gesture{document, name};
+    document.run(std::make_unique<SwapTerrain>(name, terrain));
+    if (otherFile) return setHeights(document, name, document.readHeights(terrain), {});
+    if (!otherRange || !heights || !heights->shares) return;
+    if (std::abs(before.maxHeight - before.minHeight) < kLeastSpan || std::abs(terrain.maxHeight - terrain.minHeight) < kLeastSpan) return;
+    setHeights(document, name, scaled(*document.scene().heights(), before, terrain), heights->texels());
 }
 
 void Document::reloadModel(io::TemplateId id)
@@ -152,6 +177,7 @@ io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::
     }
     const io::Project projectBefore = m_world.project;
     const auto templateFilesBefore = m_world.templateFiles;
+    const auto heightsBefore = m_world.savedHeights;
     const std::uint64_t savedBefore = m_savedState;
     m_world.project.folder = half;
     io::Result<io::FileTransaction::Report> report = save();
@@ -166,6 +192,7 @@ io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::
     if (!report) {
         m_world.project = projectBefore;
         m_world.templateFiles = templateFilesBefore;
+        m_world.savedHeights = heightsBefore;
         m_savedState = savedBefore;
         fs::remove_all(half, fault);
     }

@@ -11,6 +11,7 @@ enum class Key : int {
     None = 0,
     Space = 32, Digit0 = 48, Digit1, Digit2, Digit3, Digit4, Digit5, Digit6, Digit7, Digit8, Digit9,
     A = 65, B, C, D, E, F, G, H, I, J, K, L, M, N, O, P, Q, R, S, T, U, V, W, X, Y, Z,
+    LeftBracket = 91, RightBracket = 93,
     Escape = 256, Enter, Tab, Backspace, Insert, Delete, Right, Left, Down, Up, PageUp, PageDown, Home, End,
     F1 = 290, F2, F3, F4, F5, F6, F7, F8, F9, F10, F11, F12,
 };

@@ -50,7 +50,7 @@ WorldMemory memoryOf(const Document& document)
     }
     const auto objects = document.scene().objects();
     counted.memory.objects = bytesOf(objects) + objects.size() * kIndexed;
-    if (document.assets().heights) counted.memory.heights = bytesOf(document.assets().heights->metres);
+    if (document.scene().heights()) counted.memory.heights = document.scene().heights()->bytes();
     return counted.memory;
 }
 

@@ -27,10 +27,14 @@ Picker::~Picker() = default;
 void Picker::update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes)
 {
     m_state->objects.update(scene, assets, changes);
-    if (m_state->heights != assets.heights) {
-        m_state->heights = assets.heights;
-        m_state->ground.reset();
-    }
+    const auto& heights = scene.heights();
+    if (m_state->heights == heights) return;
+    const bool rebuilt = changes.everything || !heights || !m_state->heights || heights->size != m_state->heights->size;
+    m_state->heights = heights;
+    if (rebuilt) m_state->ground.reset();
+    if (m_state->ground && changes.heights.empty()) m_state->ground->update(heights, {}); // it only lies elsewhere
+    for (const io::TexelRect& changed : changes.heights)
+        if (m_state->ground) m_state->ground->update(heights, changed);
 }
 
 void Picker::prepare()

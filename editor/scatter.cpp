@@ -79,7 +79,7 @@ std::optional<io::Object> oneMore(const Document& document, const ScatterOptions
     const std::uint64_t seed = random.bits();
 
     const glm::dvec2 at = options.centre + distance * glm::dvec2{std::cos(angle), std::sin(angle)};
-    const io::HeightMap& ground = *document.assets().heights;
+    const io::HeightMap& ground = *document.scene().heights();
     const auto height = ground.height(at.x, at.y);
     const auto normal = ground.normal(at.x, at.y);
     if (!height || !normal) return std::nullopt;
@@ -95,7 +95,7 @@ std::optional<io::Object> oneMore(const Document& document, const ScatterOptions
 std::vector<io::ObjectId> scatter(Document& document, const ScatterOptions& options)
 {
     constexpr int kTries = 8; // a copy
-    if (options.templates.empty() || !document.assets().heights) return {};
+    if (options.templates.empty() || !document.scene().heights()) return {};
     const double wanted = std::round(options.density * glm::pi<double>() * options.radius * options.radius);
     const auto count = std::size_t(std::clamp(wanted, 0.0, double(ScatterOptions::kMost)));
 

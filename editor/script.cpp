@@ -9,7 +9,7 @@ namespace {
 
 const ScriptCommand* findCommand(std::string_view name)
 {
-    for (const auto commands : {placeCommands(), transformCommands(), documentCommands(), queryCommands()})
+    for (const auto commands : {placeCommands(), transformCommands(), documentCommands(), groundCommands(), queryCommands()})
         for (const ScriptCommand& command : commands)
             if (command.name == name) return &command;
     return nullptr;
@@ -42,7 +42,7 @@ io::Value Script::execute(const io::Value& command)
     const io::Value* name = command.find("do");
     if (!name || !name->asString()) return refusal("a command is an object with \"do\": its name");
     const std::string& words = *name->asString();
-    if (words == "sculpt" || words == "paint") return refusal(words + ": comes with a later release");
+    if (words == "paint") return refusal(words + ": comes with a later release");
     const ScriptCommand* known = findCommand(words);
     if (!known) return refusal("there is no command \"" + words + "\"");
 

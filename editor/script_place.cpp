@@ -29,7 +29,7 @@ std::optional<PickHit> target(Script& script, Arguments& arguments)
         if (!hit) arguments.fail("there is nothing under that pixel");
         return hit;
     }
-    const auto& heights = script.document().assets().heights;
+    const auto& heights = script.document().scene().heights();
     const glm::dvec2 flat = ground ? *ground : glm::dvec2{point->x, point->z};
     const auto height = heights ? heights->height(flat.x, flat.y) : std::nullopt;
     const glm::dvec3 normal =
@@ -68,7 +68,7 @@ Answer scatter(Script& script, Arguments& arguments)
     options.slope = arguments.pair("slope").value_or(options.slope);
     if (options.density * 3.1416 * options.radius * options.radius > double(ScatterOptions::kMost))
         arguments.fail(fmt::format("would place more than {} objects", ScatterOptions::kMost));
-    if (!script.document().assets().heights) arguments.fail("this scene has no ground");
+    if (!script.document().scene().heights()) arguments.fail("this scene has no ground");
     if (const auto fault = arguments.finish()) return *fault;
     const auto ids = editor::scatter(script.document(), options);
     return io::Value::Object{{"count", std::uint64_t(ids.size())}, {"ids", toValue(ids)}};

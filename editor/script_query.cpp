@@ -78,7 +78,7 @@ Answer height(Script& script, Arguments& arguments)
     const auto at = arguments.ground("at");
     if (!at) arguments.fail("needs \"at\"");
     if (const auto fault = arguments.finish()) return *fault;
-    const auto& heights = script.document().assets().heights;
+    const auto& heights = script.document().scene().heights();
     const auto height = heights ? heights->height(at->x, at->y) : std::nullopt;
     if (!height) return io::Error{{}, "there is no ground there"};
     const glm::dvec3 normal = heights->normal(at->x, at->y).value_or(glm::dvec3{0, 1, 0});

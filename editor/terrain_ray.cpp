@@ -1,5 +1,7 @@
 #include "editor/terrain_ray.h"
 
+#include "io/base/contract.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -62,48 +64,55 @@ TerrainRay::TerrainRay(std::shared_ptr<const io::HeightMap> heights) : m_heights
         m_heights.reset();
         return;
     }
-    m_levels.push_back(finest());
-    while (m_levels.back().size != glm::ivec2{1})
-        m_levels.push_back(halved(m_levels.back()));
-}
-
-TerrainRay::Level TerrainRay::finest() const
-{
-    const glm::ivec2 cells = m_heights->size - 1;
-    Level level{.size = (cells + kLeaf - 1) / kLeaf};
-    level.range.reserve(std::size_t(level.size.x) * level.size.y);
-    for (int z = 0; z < level.size.y; ++z) {
-        for (int x = 0; x < level.size.x; ++x) {
-            const glm::ivec2 last = glm::min(glm::ivec2{x + 1, z + 1} * kLeaf, cells);
-            glm::vec2 range{m_heights->at(x * kLeaf, z * kLeaf)};
-            for (int row = z * kLeaf; row <= last.y; ++row) {
-                const float* metres = &m_heights->metres[std::size_t(row) * m_heights->size.x];
-                const auto [low, high] = std::minmax_element(metres + x * kLeaf, metres + last.x + 1);
-                range = {std::min(range.x, *low), std::max(range.y, *high)};
-            }
-            level.range.push_back(range);
-        }
+    glm::ivec2 nodes = (m_heights->size - 1 + kLeaf - 1) / kLeaf;
+    for (;; nodes = (nodes + 1) / 2) {
+        m_levels.push_back({.size = nodes, .range = std::vector<glm::vec2>(std::size_t(nodes.x) * nodes.y)});
+        build(m_levels.size() - 1, {0, 0}, nodes);
+        if (nodes == glm::ivec2{1}) break;
     }
-    return level;
 }
 
-TerrainRay::Level TerrainRay::halved(const Level& below)
+void TerrainRay::update(std::shared_ptr<const io::HeightMap> heights, const io::TexelRect& changed)
 {
-    Level level{.size = (below.size + 1) / 2};
-    level.range.reserve(std::size_t(level.size.x) * level.size.y);
-    for (int z = 0; z < level.size.y; ++z) {
-        for (int x = 0; x < level.size.x; ++x) {
+    EXPECTS(m_heights && heights && heights->size == m_heights->size);
+    m_heights = std::move(heights);
+    // A texel is a corner of the four cells around it.
+    glm::ivec2 low = glm::max(glm::ivec2{changed.low} - 1, glm::ivec2{0}) / kLeaf, high = (glm::ivec2{changed.high} - 1) / kLeaf + 1;
+    for (std::size_t level = 0; level < m_levels.size(); ++level, low /= 2, high = (high + 1) / 2)
+        build(level, low, glm::min(high, m_levels[level].size));
+}
+
+void TerrainRay::build(std::size_t level, const glm::ivec2& low, const glm::ivec2& high)
+{
+    Level& own = m_levels[level];
+    for (int z = low.y; z < high.y; ++z)
+        for (int x = low.x; x < high.x; ++x) {
+            glm::vec2& range = own.range[std::size_t(z) * own.size.x + x];
+            if (level == 0) {
+                range = rangeOfLeaf({x, z});
+                continue;
+            }
+            const Level& below = m_levels[level - 1];
             const glm::ivec2 last = glm::min(glm::ivec2{x, z} * 2 + 1, below.size - 1);
-            glm::vec2 range = below.range[std::size_t(z) * 2 * below.size.x + x * 2];
+            range = below.range[std::size_t(z) * 2 * below.size.x + x * 2];
             for (int row = z * 2; row <= last.y; ++row)
                 for (int column = x * 2; column <= last.x; ++column) {
                     const glm::vec2 part = below.range[std::size_t(row) * below.size.x + column];
                     range = {std::min(range.x, part.x), std::max(range.y, part.y)};
                 }
-            level.range.push_back(range);
         }
-    }
-    return level;
+}
+
+glm::vec2 TerrainRay::rangeOfLeaf(glm::ivec2 node) const
+{
+    const glm::ivec2 last = glm::min((node + 1) * kLeaf, m_heights->size - 1);
+    glm::vec2 range{m_heights->at(node.x * kLeaf, node.y * kLeaf)};
+    for (int z = node.y * kLeaf; z <= last.y; ++z)
+        for (int x = node.x * kLeaf; x <= last.x; ++x) {
+            const float metres = m_heights->at(x, z);
+            range = {std::min(range.x, metres), std::max(range.y, metres)};
+        }
+    return range;
 }
 
 std::optional<io::TerrainHit> TerrainRay::hit(const io::Ray& ray, double maxDistance) const

@@ -2,6 +2,7 @@
 // lowest and highest values (Tevs, Ihrke, Seidel 2008).
 #pragma once
 
+#include "io/scene/height_map.h"
 #include "io/scene/terrain.h"
 
 #include <memory>
@@ -15,6 +16,9 @@ public:
     TerrainRay() = default;
     explicit TerrainRay(std::shared_ptr<const io::HeightMap> heights);
 
+    // Heights that differ from those before within `changed` only, and are as many.
+    void update(std::shared_ptr<const io::HeightMap> heights, const io::TexelRect& changed);
+
     // The nearest hit on the upper side within `maxDistance`.
     std::optional<io::TerrainHit> hit(const io::Ray& ray, double maxDistance = 1e9) const;
 
@@ -23,8 +27,8 @@ private:
         glm::ivec2 size{0};
         std::vector<glm::vec2> range; // lowest and highest, m
     };
-    Level finest() const;
-    static Level halved(const Level& below);
+    void build(std::size_t level, const glm::ivec2& low, const glm::ivec2& high); // those nodes of it
+    glm::vec2 rangeOfLeaf(glm::ivec2 node) const;
     struct Query;
     void descend(Query& query, int level, glm::ivec2 node) const;
     void leaf(Query& query, glm::ivec2 node) const;

@@ -32,6 +32,8 @@ void Viewport::reset()
     m_drag = Drag::None;
     freezeCulling = false;
     m_cycle.reset();
+    m_stroke.reset();
+    m_brushAt.reset();
     stopPlacing();
     m_tinted.clear();
     m_transforms.clear();
@@ -45,7 +47,7 @@ void Viewport::lookFrom(const Document& document)
     io::WorldBox box;
     for (const io::Object& object : document.scene().objects())
         if (const io::WorldBox b = io::worldBounds(document.assets(), object); !b.empty()) box.add(b);
-    if (const io::HeightMap* heights = document.assets().heights.get(); heights && box.empty()) {
+    if (const io::HeightMap* heights = document.scene().heights().get(); heights && box.empty()) {
         const glm::dvec2 size = glm::dvec2{heights->size - 1} * heights->metresPerTexel;
         box.add(glm::dvec3{heights->origin.x, heights->min, heights->origin.y});
         box.add(glm::dvec3{heights->origin.x + size.x, heights->max, heights->origin.y + size.y});
@@ -135,6 +137,7 @@ void Viewport::input(Editor& editor, double seconds)
 {
     m_speedShown = std::max(0.0, m_speedShown - seconds);
     const bool pressed = ImGui::IsItemActivated();
+    updateBrush(editor);
     if (pressed) press(editor);
     updateHover(editor);
     if (m_drag != Drag::None && !pressed) hold(editor, seconds); // the way to the press is no drag
@@ -173,6 +176,8 @@ void Viewport::pressLeft(Editor& editor)
         m_drag = Drag::Place;
         if (m_ghost) m_anchorYaw = m_ghost->transform.rotation.y;
         m_anchor = editor.picker().pick(view(), pointer());
+    } else if (sculpting) {
+        beginStroke(editor);
     } else {
         m_drag = beginGizmo(editor) ? Drag::Gizmo : Drag::Click;
     }
@@ -211,6 +216,8 @@ void Viewport::hold(Editor& editor, double seconds)
         break;
     case Drag::Place:
         break;
+    case Drag::Stroke:
+        return holdStroke(editor, seconds);
     }
     if (!pressed(Key::Escape)) return;
     if (m_drag == Drag::Gizmo) endGizmo(editor, false);
@@ -240,6 +247,9 @@ void Viewport::release(Editor& editor)
     case Drag::Place:
         placeGhost(editor);
         break;
+    case Drag::Stroke:
+        endStroke();
+        break;
     default:
         break;
     }
@@ -266,7 +276,7 @@ void Viewport::updateHover(Editor& editor)
     if (m_drag != Drag::None && m_drag != Drag::Click) return;
     GizmoHandle handle = GizmoHandle::None;
     refreshSelectionShown(editor);
-    if (m_hovered && gizmoShown && m_placing == io::TemplateId::None && !m_transforms.empty())
+    if (m_hovered && gizmoShown && !sculpting && m_placing == io::TemplateId::None && !m_transforms.empty())
         if (const auto frame = gizmo.frame(m_transforms)) handle = gizmo.hit(view(), *frame, pointer());
     gizmo.hover(handle);
 }

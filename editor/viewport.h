@@ -9,6 +9,7 @@
 #include "editor/picker.h"
 #include "editor/resolution.h"
 #include "editor/selection.h"
+#include "editor/stroke.h"
 #include "renderer/renderer.h"
 
 #include <imgui.h>
@@ -30,6 +31,9 @@ public:
     Gizmo gizmo;
     bool gizmoShown = true; // false: the plain selecting tool
     bool snapping = false;  // Ctrl turns it round while dragging
+    bool sculpting = false; // the left button draws with the brush
+    Brush brush;
+    bool objectsFollow = true; // keep their height above ground that is shaped
     bool showOverlays = true;
     bool showStatistics = false; // over the picture
     bool freezeCulling = false;  // flying on, one sees what was culled then
@@ -43,6 +47,8 @@ public:
     void stopPlacing();
     io::TemplateId placing() const { return m_placing; }
     void placeAtCamera(Editor& editor, io::TemplateId id);
+    void sculptWith(Editor& editor, BrushTool tool);
+    void resizeBrush(float factor);
     std::optional<glm::dvec3> pointUnderPointer(Editor& editor) const; // of the last frame; where a paste goes
 
     bool pointerHidden() const { return m_drag == Drag::Look; }
@@ -52,7 +58,7 @@ public:
     double pictureScale() const { return m_resolution.scale(); } // below 1: coarser, to be quick enough
 
 private:
-    enum class Drag { None, Look, Orbit, Pan, Click, Box, Gizmo, Place };
+    enum class Drag { None, Look, Orbit, Pan, Click, Box, Gizmo, Place, Stroke };
 
     void drawPicture(Editor& editor);
     void chooseResolution(Editor& editor);
@@ -72,6 +78,12 @@ private:
     void endGizmo(Editor& editor, bool keep);
     void openContextMenu(Editor& editor);
     void contextMenu(Editor& editor);
+
+    void beginStroke(Editor& editor);
+    void holdStroke(Editor& editor, double seconds);
+    void endStroke();
+    void updateBrush(Editor& editor);
+    void addBrushLines(const Editor& editor, std::vector<renderer::Line>& lines) const;
 
     void updateGhost(Editor& editor);
     void placeGhost(Editor& editor);
@@ -108,9 +120,12 @@ private:
     std::optional<float> m_yaw;
     std::uint64_t m_seed = 1;
 
+    std::optional<Stroke> m_stroke;
+    std::optional<glm::dvec3> m_brushAt; // the ground under the pointer
+
     std::vector<io::ObjectId> m_tinted;      // the selection with the members of its groups, the primary last
     std::vector<io::Transform> m_transforms; // of those
-    std::vector<renderer::Line> m_lines;
+    std::vector<renderer::Line> m_lines, m_frameLines; // of the selection; with those of the frame
     std::uint64_t m_shownRevision = 0, m_shownSelection = 0;
     double m_speedShown = 0; // s left
 };

@@ -74,7 +74,9 @@ renderer::FrameInput Viewport::frameInput(Editor& editor)
     input.time = editor.time();
     input.selection = m_tinted;
     if (m_ghost) input.ghosts = {&*m_ghost, 1};
-    input.lines = m_lines;
+    m_frameLines = m_lines;
+    addBrushLines(editor, m_frameLines);
+    input.lines = m_frameLines;
     input.freezeCulling = freezeCulling;
     input.ids = m_drag == Drag::Click || m_drag == Drag::Box; // a box may be let go in the next frame
     return input;
@@ -117,7 +119,7 @@ void Viewport::overlays(Editor& editor)
 
 void Viewport::drawGizmo() const
 {
-    if (!gizmoShown || m_transforms.empty() || m_placing != io::TemplateId::None) return;
+    if (!gizmoShown || sculpting || m_transforms.empty() || m_placing != io::TemplateId::None) return;
     const auto frame = gizmo.dragging() ? std::optional{gizmo.activeFrame()} : gizmo.frame(m_transforms);
     if (!frame) return;
     const MapPanel map{"gizmo"};
@@ -194,6 +196,9 @@ void Viewport::drawHints(Editor& editor) const
     } else if (m_placing != io::TemplateId::None) {
         const std::string name{editor.document()->scene().templateName(m_placing)};
         pill({middle, bottom}, trf("viewport.placing", name), palette::kText, true, Icon::Place);
+    } else if (sculpting) {
+        const std::string tool = tr("brush." + std::string{enumNames(brush.tool)[std::size_t(brush.tool)]});
+        pill({middle, bottom}, trf("viewport.sculpting", tool, double(brush.radius)), palette::kText, true, Icon::Terrain);
     } else if (m_drag == Drag::Gizmo) {
         pill({middle, bottom}, tr("viewport.dragging"), palette::kText, true);
     }

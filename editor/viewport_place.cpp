@@ -20,6 +20,7 @@ std::uint64_t nextSeed(std::uint64_t seed)
 void Viewport::beginPlacing(io::TemplateId id)
 {
     m_placing = id;
+    sculpting = false;
     m_yaw.reset();
     m_anchor.reset();
     m_seed = nextSeed(m_seed);

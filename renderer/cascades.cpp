@@ -37,14 +37,14 @@ double depthRange(const Cascade& cascade)
     return cascade.radius * (2 + kDepthStep);
 }
 
-Texel floorModulo(const Texel& value, std::int64_t period)
+io::Texel floorModulo(const io::Texel& value, std::int64_t period)
 {
-    const Texel rest = value % period;
-    return rest + Texel{rest.x < 0 ? period : 0, rest.y < 0 ? period : 0};
+    const io::Texel rest = value % period;
+    return rest + io::Texel{rest.x < 0 ? period : 0, rest.y < 0 ? period : 0};
 }
 
 // To the copy of the texture that begins at the texel `first`.
-glm::dmat4 textureFromRelative(const Cascade& c, const Texel& first, const glm::dmat3& axes, const glm::dvec3& eye)
+glm::dmat4 textureFromRelative(const Cascade& c, const io::Texel& first, const glm::dmat3& axes, const glm::dvec3& eye)
 {
     const double size = c.texel * c.resolution, range = depthRange(c);
     const glm::dvec3 place = axes * eye;
@@ -95,10 +95,10 @@ std::vector<Cascade> cascadesOf(const Eye& eye, const io::Shadows& shadows, cons
         c.texel = 2 * c.radius / resolution;
 
         const glm::dvec3 centre = axes * (eye.position + eye.forward * sphere.depth);
-        c.low = Texel{glm::round(glm::dvec2{centre} / (c.texel * step))} * std::int64_t(step) - std::int64_t(resolution / 2);
+        c.low = io::Texel{glm::round(glm::dvec2{centre} / (c.texel * step))} * std::int64_t(step) - std::int64_t(resolution / 2);
         const double depthStep = c.radius * kDepthStep;
         c.middle = std::round(centre.z / depthStep) * depthStep;
-        const Texel first = c.low - floorModulo(c.low, resolution); // so that the window lies within [0, 2)
+        const io::Texel first = c.low - floorModulo(c.low, resolution); // so that the window lies within [0, 2)
         c.textureFromRelative = textureFromRelative(c, first, axes, eye.position);
         cascades.push_back(c);
         begin = end;
@@ -106,7 +106,7 @@ std::vector<Cascade> cascadesOf(const Eye& eye, const io::Shadows& shadows, cons
     return cascades;
 }
 
-std::vector<CascadePiece> piecesOf(const Cascade& cascade, const TexelRect& part, const glm::dvec3& eye, const glm::dvec3& towardSun)
+std::vector<CascadePiece> piecesOf(const Cascade& cascade, const io::TexelRect& part, const glm::dvec3& eye, const glm::dvec3& towardSun)
 {
     const glm::dmat3 axes = lightAxes(towardSun), back = glm::transpose(axes);
     const auto plane = [&](const glm::dvec3& lightNormal, double d) { return glm::dvec4{back * lightNormal, d}; };
@@ -115,8 +115,8 @@ std::vector<CascadePiece> piecesOf(const Cascade& cascade, const TexelRect& part
     clipFromTexture[3] = {-1, -1, 0, 1};
 
     std::vector<CascadePiece> pieces;
-    for (const TexelRect& rect : cutAtMultiples(part, cascade.resolution)) {
-        const Texel at = floorModulo(rect.low, cascade.resolution);
+    for (const io::TexelRect& rect : cutAtMultiples(part, cascade.resolution)) {
+        const io::Texel at = floorModulo(rect.low, cascade.resolution);
         const glm::dvec2 low = glm::dvec2{rect.low} * cascade.texel, high = glm::dvec2{rect.high} * cascade.texel;
         pieces.push_back({.at = glm::ivec2{at},
                           .size = glm::ivec2{rect.high - rect.low},
@@ -127,12 +127,12 @@ std::vector<CascadePiece> piecesOf(const Cascade& cascade, const TexelRect& part
     return pieces;
 }
 
-TexelRect shadowOf(const Cascade& cascade, const glm::dvec4& sphere, const glm::dvec3& towardSun)
+io::TexelRect shadowOf(const Cascade& cascade, const glm::dvec4& sphere, const glm::dvec3& towardSun)
 {
     const glm::dvec3 centre = lightAxes(towardSun) * glm::dvec3{sphere};
     if (centre.z + sphere.w < cascade.middle - depthRange(cascade) / 2) return {};
     const glm::dvec2 reach{sphere.w + cascade.texel};
-    return {Texel{glm::floor((glm::dvec2{centre} - reach) / cascade.texel)}, Texel{glm::ceil((glm::dvec2{centre} + reach) / cascade.texel)}};
+    return {io::Texel{glm::floor((glm::dvec2{centre} - reach) / cascade.texel)}, io::Texel{glm::ceil((glm::dvec2{centre} + reach) / cascade.texel)}};
 }
 
 } // namespace renderer

@@ -6,7 +6,7 @@
 
 #include "io/scene/environment.h"
 #include "renderer/eye.h"
-#include "renderer/texel_rect.h"
+#include "io/scene/texel_rect.h"
 
 #include <vector>
 
@@ -17,11 +17,11 @@ struct Cascade {
     double radius = 0;                   // m, half the window's width
     double texel = 0;                    // m
     int resolution = 0;                  // texels, of window and texture
-    Texel low{0};                        // the window's first texel
+    io::Texel low{0};                        // the window's first texel
     double middle = 0;                   // m towards the sun, where depth is one half
     glm::dmat4 textureFromRelative{1};   // to a texture that repeats, and depth: 0 towards the sun, 1 away from it
 
-    TexelRect window() const { return {low, low + std::int64_t(resolution)}; }
+    io::TexelRect window() const { return {low, low + std::int64_t(resolution)}; }
 };
 
 // Rows: the light's right, up and towards the sun.
@@ -37,9 +37,9 @@ struct CascadePiece {
     glm::dmat4 clipFromRelative{1}; // to the whole texture
     Volume casters;                 // open towards the sun
 };
-std::vector<CascadePiece> piecesOf(const Cascade& cascade, const TexelRect& part, const glm::dvec3& eye, const glm::dvec3& towardSun);
+std::vector<CascadePiece> piecesOf(const Cascade& cascade, const io::TexelRect& part, const glm::dvec3& eye, const glm::dvec3& towardSun);
 
 // The texels that the shadow of what is in a sphere can reach; empty where the map does not reach that deep.
-TexelRect shadowOf(const Cascade& cascade, const glm::dvec4& sphere, const glm::dvec3& towardSun);
+io::TexelRect shadowOf(const Cascade& cascade, const glm::dvec4& sphere, const glm::dvec3& towardSun);
 
 } // namespace renderer

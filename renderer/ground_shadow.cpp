@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace renderer {
 namespace {
@@ -55,26 +56,33 @@ GroundShadow::GroundShadow() : m_texture{makeTexture({1, 1})}
     m_texture.upload(&kNoShadow, GL_RED, GL_FLOAT);
 }
 
-void GroundShadow::coarsen(const io::HeightMap& map)
+// Only those of tiles that the map before did not have.
+void GroundShadow::coarsen(const io::HeightMap& map, const io::HeightMap* before)
 {
     const int step = (std::max(map.size.x, map.size.y) + kLargest - 1) / kLargest;
     m_size = (map.size - 1) / step + 1;
     m_cell = map.metresPerTexel * step;
     m_heights.resize(std::size_t(m_size.x) * m_size.y);
-    for (int z = 0; z < m_size.y; ++z)
-        for (int x = 0; x < m_size.x; ++x)
-            m_heights[std::size_t(z) * m_size.x + x] = map.at(x * step, z * step);
+    for (int tz = 0; tz < map.tiles().y; ++tz)
+        for (int tx = 0; tx < map.tiles().x; ++tx) {
+            if (before && before->tile({tx, tz}) == map.tile({tx, tz})) continue;
+            const io::TexelRect rect = io::texelsOf({tx, tz});
+            const glm::ivec2 low = (glm::ivec2{rect.low} + step - 1) / step, high = glm::min((glm::ivec2{rect.high} + step - 1) / step, m_size);
+            for (int z = low.y; z < high.y; ++z)
+                for (int x = low.x; x < high.x; ++x)
+                    m_heights[std::size_t(z) * m_size.x + x] = map.at(x * step, z * step);
+        }
 }
 
 void GroundShadow::update(const std::shared_ptr<const io::HeightMap>& map, const glm::dvec3& towardSun)
 {
     if (map == m_map && towardSun == m_towardSun) return;
     if (map != m_map) {
-        m_map = map;
-        m_size = {1, 1};
-        m_heights.clear();
-        if (map) coarsen(*map);
-        m_texture = makeTexture(m_size);
+        const bool sameSize = map && m_map && map->size == m_map->size;
+        const std::shared_ptr<const io::HeightMap> before = std::exchange(m_map, map);
+        if (map) coarsen(*map, sameSize ? before.get() : nullptr);
+        if (!map) m_size = {1, 1};
+        if (m_texture.size() != m_size) m_texture = makeTexture(m_size);
         if (!map) m_texture.upload(&kNoShadow, GL_RED, GL_FLOAT);
     }
     m_towardSun = towardSun;

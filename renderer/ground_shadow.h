@@ -1,7 +1,7 @@
 // How far up the ground's own shadow reaches over every place: mountains shade valleys beyond the shadow maps.
 #pragma once
 
-#include "io/scene/terrain.h"
+#include "io/scene/height_map.h"
 #include "renderer/gl/texture.h"
 
 #include <glm/glm.hpp>
@@ -21,7 +21,7 @@ public:
     glm::vec4 placement(const glm::dvec3& eye) const; // uv = relative.xz * xy + zw
 
 private:
-    void coarsen(const io::HeightMap& map);
+    void coarsen(const io::HeightMap& map, const io::HeightMap* before);
 
     std::shared_ptr<const io::HeightMap> m_map;
     glm::dvec3 m_towardSun{0};

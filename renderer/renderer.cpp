@@ -71,7 +71,7 @@ void Renderer::update(const io::Scene& scene, const io::Assets& assets, const io
 {
     Scenery& scenery = m_state->scenery;
     if (changes.environment || changes.everything) scenery.environment = scene.environment();
-    if (changes.terrain || changes.everything) scenery.terrain.update(scene.terrain(), assets);
+    scenery.terrain.update(scene, assets, changes);
     scenery.world.update(scene, assets, changes);
     if (changes.everything) {
         m_state->thumbnails.forgetAll();

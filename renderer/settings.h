@@ -50,6 +50,7 @@ void fields(auto& v, io::Of<Settings> auto& s)
     v("culler", s.culler, io::Hint{});
     v("occlusion", s.occlusion, io::Hint{});
     v("lod", s.lod, io::Hint{});
+    v("lod_pixels", s.lodPixels, io::Hint{.min = 0.25, .max = 16, .unit = "px"});
     v("shadows", s.shadows, io::Hint{});
     v("clouds", s.clouds, io::Hint{});
     v("fog", s.fog, io::Hint{});

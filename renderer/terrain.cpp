@@ -16,45 +16,41 @@ constexpr int kQuarter = TERRAIN_QUADS / 2;          // quads
 constexpr std::uint32_t kQuarterIndices = kQuarter * kQuarter * 6;
 constexpr double kErrorPixels = 1.5;
 constexpr int kLargestLayer = 1024; // texels
+constexpr std::size_t kFewPlaces = 64;
 
 std::int16_t nearest(float v) // std::lround() takes longer than all the rest of a normal
 {
     return std::int16_t(int(v + 32768.5f) - 32768);
 }
 
-using Normals = std::vector<glm::i16vec2>; // x and z, as GL_RG16_SNORM
-
-Normals normalsOf(const io::HeightMap& map)
+// Of the texels of `rect`, row by row.
+Normals normalsOf(const io::HeightMap& map, const io::TexelRect& rect)
 {
-    Normals normals(std::size_t(map.size.x) * map.size.y);
+    const glm::ivec2 low{rect.low}, high{rect.high};
+    const io::TexelRect around{glm::max(rect.low - io::Texel{1}, io::Texel{0}), glm::min(rect.high + io::Texel{1}, io::Texel{map.size})};
+    const io::HeightGrid heights = map.read(around);
+    const glm::ivec2 first{around.low}, last = heights.size - 1;
+    Normals normals;
+    normals.reserve(std::size_t(high.x - low.x) * (high.y - low.y));
     const auto step = float(map.metresPerTexel);
-    for (int z = 0; z < map.size.y; ++z)
-        for (int x = 0; x < map.size.x; ++x) {
-            const int x0 = std::max(x - 1, 0), x1 = std::min(x + 1, map.size.x - 1);
-            const int z0 = std::max(z - 1, 0), z1 = std::min(z + 1, map.size.y - 1);
-            const float dx = (map.at(x0, z) - map.at(x1, z)) / (step * float(x1 - x0));
-            const float dz = (map.at(x, z0) - map.at(x, z1)) / (step * float(z1 - z0));
+    for (int z = low.y - first.y; z < high.y - first.y; ++z)
+        for (int x = low.x - first.x; x < high.x - first.x; ++x) {
+            const int x0 = std::max(x - 1, 0), x1 = std::min(x + 1, last.x);
+            const int z0 = std::max(z - 1, 0), z1 = std::min(z + 1, last.y);
+            const float dx = (heights.at(x0, z) - heights.at(x1, z)) / (step * float(x1 - x0));
+            const float dz = (heights.at(x, z0) - heights.at(x, z1)) / (step * float(z1 - z0));
             const float scale = 32767 / std::sqrt(dx * dx + dz * dz + 1);
-            normals[std::size_t(z) * map.size.x + x] = {nearest(dx * scale), nearest(dz * scale)};
+            normals.emplace_back(nearest(dx * scale), nearest(dz * scale));
         }
     return normals;
 }
 
-// Each the mean of four. Of an odd side the last row or column is left out, as of any mip.
-Normals halved(const Normals& from, glm::ivec2 size)
+// The mean of four texels of a mip that is `size` large. Of an odd side the last row or column is left out, as of any mip.
+glm::i16vec2 halved(const Normals& from, glm::ivec2 size, int x, int z)
 {
-    const glm::ivec2 to = glm::max(size / 2, 1);
-    Normals result;
-    result.reserve(std::size_t(to.x) * to.y);
-    for (int z = 0; z < to.y; ++z)
-        for (int x = 0; x < to.x; ++x) {
-            const std::size_t right = size.x > 1, below = size.y > 1 ? std::size_t(size.x) : 0;
-            const glm::i16vec2* texel = &from[std::size_t(2 * z) * size.x + 2 * x];
-            const glm::ivec2 sum = glm::ivec2{texel[0]} + glm::ivec2{texel[right]} + glm::ivec2{texel[below]} +
-                                   glm::ivec2{texel[right + below]};
-            result.emplace_back(sum / 4);
-        }
-    return result;
+    const std::size_t right = size.x > 1, below = size.y > 1 ? std::size_t(size.x) : 0;
+    const glm::i16vec2* texel = &from[std::size_t(2 * z) * size.x + 2 * x];
+    return glm::i16vec2{(glm::ivec2{texel[0]} + glm::ivec2{texel[right]} + glm::ivec2{texel[below]} + glm::ivec2{texel[right + below]}) / 4};
 }
 
 // Brightness stands for the height of a cover's texels: stones over the earth between them.
@@ -167,22 +163,32 @@ void Terrain::makeGrid()
     m_array.indices(m_gridIndices.id());
 }
 
-void Terrain::update(const io::Terrain& terrain, const io::Assets& assets)
+void Terrain::update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes)
 {
-    ++m_revision;
-    const bool usable = assets.heights && assets.heights->size.x >= 2 && assets.heights->size.y >= 2;
+    const bool fields = changes.terrain || changes.everything;
+    if (!fields && changes.heights.empty()) return;
+    const auto& heights = scene.heights();
+    const bool usable = heights && heights->size.x >= 2 && heights->size.y >= 2;
     if (!usable) {
+        ++m_revision;
         m_map = nullptr;
         m_heights = {};
         m_normals = {};
         m_nodes.clear();
         return;
     }
-    if (m_map != assets.heights) {
-        m_map = assets.heights;
+    const bool sameShape = m_map && m_map->size == heights->size && m_map->metresPerTexel == heights->metresPerTexel &&
+                           m_map->origin == heights->origin;
+    const bool another = m_map != heights;
+    m_map = heights;
+    if (another && (changes.everything || !sameShape)) {
+        ++m_revision;
         uploadHeights();
+    } else {
+        for (const io::TexelRect& changed : changes.heights)
+            changeHeights(common(changed, m_map->texels()));
     }
-    uploadLayers(terrain, assets);
+    if (fields || !m_layerColours) uploadLayers(scene.terrain(), assets);
 }
 
 void Terrain::uploadHeights()
@@ -190,22 +196,60 @@ void Terrain::uploadHeights()
     const io::HeightMap& map = *m_map;
     m_tree = TerrainTree{map};
     m_heights = gl::Texture{{.label = "ground heights", .size = map.size, .format = GL_R32F, .filter = GL_NEAREST}};
-    m_heights.upload(map.metres.data(), GL_RED, GL_FLOAT);
+    m_heights.upload(map.read(map.texels()).metres.data(), GL_RED, GL_FLOAT);
     m_normals = gl::Texture{{.label = "ground normals",
                              .size = map.size,
                              .format = GL_RG16_SNORM,
                              .mips = gl::fullMipCount(map.size)}};
-    Normals normals = normalsOf(map);
-    m_normals.upload(normals.data(), GL_RG, GL_SHORT);
-    glm::ivec2 size = map.size;
-    for (int mip = 1; mip < m_normals.mips(); ++mip) {
-        normals = halved(normals, size);
-        size = glm::max(size / 2, 1);
-        m_normals.upload(normals.data(), GL_RG, GL_SHORT, mip);
-    }
+    m_normalMips.clear();
+    for (int mip = 0; mip < m_normals.mips(); ++mip)
+        m_normalMips.emplace_back(std::size_t(m_normals.size(mip).x) * m_normals.size(mip).y);
+    uploadNormals(map.texels());
     m_block.lastTexel = glm::vec2{map.size - 1};
     m_block.texelSize = 1.0f / glm::vec2{map.size};
     m_block.metres = float(map.metresPerTexel);
+}
+
+void Terrain::changeHeights(const io::TexelRect& changed)
+{
+    if (changed.empty()) return;
+    const io::HeightMap& map = *m_map;
+    const glm::vec2 before = m_tree.rangeOf(changed);
+    m_tree.update(map, changed);
+    const glm::vec2 after = m_tree.rangeOf(changed);
+    const io::HeightGrid part = map.read(changed);
+    m_heights.uploadPart(glm::ivec2{changed.low}, part.size, part.metres.data(), GL_RED, GL_FLOAT);
+    uploadNormals(changed);
+
+    const glm::dvec2 low = part.origin, high = low + glm::dvec2{part.size} * map.metresPerTexel;
+    const glm::dvec3 from{low.x, std::min(before.x, after.x), low.y}, to{high.x, std::max(before.y, after.y), high.y};
+    if (m_touched.size() == kFewPlaces) { // nobody looks at them, or they are everywhere
+        ++m_revision;
+        m_touched.clear();
+    }
+    m_touched.emplace_back((from + to) * 0.5, glm::distance(from, to) * 0.5 + map.metresPerTexel);
+}
+
+// A normal looks at its neighbours, so those around what changed change too.
+void Terrain::uploadNormals(const io::TexelRect& changed)
+{
+    glm::ivec2 low = glm::max(glm::ivec2{changed.low} - 1, glm::ivec2{0}), high = glm::min(glm::ivec2{changed.high} + 1, m_map->size);
+    const Normals normals = normalsOf(*m_map, {low, high});
+    for (int mip = 0; mip < m_normals.mips(); ++mip) {
+        Normals& own = m_normalMips[std::size_t(mip)];
+        const glm::ivec2 size = m_normals.size(mip);
+        Normals part;
+        for (int z = low.y; z < high.y; ++z)
+            for (int x = low.x; x < high.x; ++x) {
+                const glm::i16vec2 normal = mip == 0 ? normals[part.size()] : halved(m_normalMips[std::size_t(mip) - 1], m_normals.size(mip - 1), x, z);
+                own[std::size_t(z) * size.x + x] = normal;
+                part.push_back(normal);
+            }
+        m_normals.uploadPart(low, high - low, part.data(), GL_RG, GL_SHORT, mip);
+        const glm::ivec2 above = m_normals.size(mip + 1);
+        low = glm::min(low / 2, above - 1);
+        high = glm::min((high + 1) / 2, above);
+    }
 }
 
 void Terrain::uploadLayers(const io::Terrain& terrain, const io::Assets& assets)

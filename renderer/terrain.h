@@ -2,17 +2,20 @@
 #pragma once
 
 #include "io/scene/assets.h"
-#include "io/scene/terrain.h"
+#include "io/scene/changes.h"
+#include "io/scene/scene.h"
 #include "renderer/eye.h"
 #include "renderer/gpu_frame.h"
 #include "renderer/terrain_tree.h"
 
 namespace renderer {
 
+using Normals = std::vector<glm::i16vec2>; // x and z, as GL_RG16_SNORM
+
 class Terrain {
 public:
     Terrain();
-    void update(const io::Terrain& terrain, const io::Assets& assets);
+    void update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes);
     bool present() const { return m_heights.id() != 0; }
 
     // Chooses the levels of detail that an eye needs, to be seen by another (usually the same).
@@ -33,11 +36,16 @@ public:
 
     int layers() const { return m_block.layers; } // at least 1
     io::WorldBox bounds() const;
-    std::uint64_t revision() const { return m_revision; }
+    std::uint64_t revision() const { return m_revision; } // counts changes of all of it
+    // Where the ground rose or sank since the last forgetTouched(): spheres, m, that hold it as it was and as it is.
+    std::span<const glm::dvec4> touched() const { return m_touched; }
+    void forgetTouched() { m_touched.clear(); }
     const std::shared_ptr<const io::HeightMap>& heights() const { return m_map; }
 
 private:
     void uploadHeights();
+    void changeHeights(const io::TexelRect& changed);
+    void uploadNormals(const io::TexelRect& changed);
     void uploadLayers(const io::Terrain& terrain, const io::Assets& assets);
     void makeGrid();
     bool sees(const std::optional<Volume>& volume, const GroundNode& node) const;
@@ -47,6 +55,7 @@ private:
     TerrainTree m_tree;
     gl::Texture m_heights; // m
     gl::Texture m_normals; // x and z of the unit normal
+    std::vector<Normals> m_normalMips; // as uploaded: a change makes those above it anew
     gl::Texture m_layerColours; // height of the cover in alpha
     gl::Texture m_layerNormals;
     gl::Buffer m_gridVertices, m_gridIndices;
@@ -55,6 +64,7 @@ private:
     glsl::Terrain m_block{};
     std::vector<GroundNode> m_nodes;
     std::uint64_t m_revision = 0;
+    std::vector<glm::dvec4> m_touched;
 };
 
 } // namespace renderer

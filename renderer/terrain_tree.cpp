@@ -28,25 +28,56 @@ TerrainTree::TerrainTree(const io::HeightMap& heights) : m_size{heights.size}
         made.lowHigh.assign(std::size_t(made.nodes.x) * made.nodes.y, {INFINITY, -INFINITY});
         if (made.nodes == glm::ivec2{1}) break;
     }
-    Level& finest = m_levels.front();
-    for (int z = 0; z < finest.nodes.y; ++z)
-        for (int x = 0; x < finest.nodes.x; ++x) {
-            glm::vec2& range = finest.lowHigh[std::size_t(z) * finest.nodes.x + x];
-            const glm::ivec2 last = glm::min((glm::ivec2{x, z} + 1) * TERRAIN_QUADS, m_size - 1);
-            for (int tz = z * TERRAIN_QUADS; tz <= last.y; ++tz)
-                for (int tx = x * TERRAIN_QUADS; tx <= last.x; ++tx) {
-                    const float h = heights.at(tx, tz);
-                    range = {std::min(range.x, h), std::max(range.y, h)};
-                }
-        }
-    for (std::size_t l = 1; l < m_levels.size(); ++l)
-        for (int z = 0; z < m_levels[l - 1].nodes.y; ++z)
-            for (int x = 0; x < m_levels[l - 1].nodes.x; ++x) {
-                const glm::vec2 child = m_levels[l - 1].lowHigh[std::size_t(z) * m_levels[l - 1].nodes.x + x];
-                glm::vec2& own = m_levels[l].lowHigh[std::size_t(z / 2) * m_levels[l].nodes.x + x / 2];
-                own = {std::min(own.x, child.x), std::max(own.y, child.y)};
-            }
+    measureNodes(heights, {0, 0}, m_levels.front().nodes);
     measureError(heights);
+}
+
+void TerrainTree::update(const io::HeightMap& heights, const io::TexelRect& changed)
+{
+    // Nodes share the texels of their borders.
+    const glm::ivec2 low = glm::max(glm::ivec2{changed.low} - 1, glm::ivec2{0}) / TERRAIN_QUADS;
+    measureNodes(heights, low, glm::min((glm::ivec2{changed.high} - 1) / TERRAIN_QUADS + 1, m_levels.front().nodes));
+    measureError(heights);
+}
+
+glm::vec2 TerrainTree::rangeOf(const io::TexelRect& rect) const
+{
+    const Level& finest = m_levels.front();
+    const glm::ivec2 high = glm::min((glm::ivec2{rect.high} - 1) / TERRAIN_QUADS + 1, finest.nodes);
+    glm::vec2 range{INFINITY, -INFINITY};
+    for (int z = int(rect.low.y) / TERRAIN_QUADS; z < high.y; ++z)
+        for (int x = int(rect.low.x) / TERRAIN_QUADS; x < high.x; ++x) {
+            const glm::vec2 own = finest.lowHigh[std::size_t(z) * finest.nodes.x + x];
+            range = {std::min(range.x, own.x), std::max(range.y, own.y)};
+        }
+    return range;
+}
+
+// Nodes [low, high) of the finest level, and those above them.
+void TerrainTree::measureNodes(const io::HeightMap& heights, glm::ivec2 low, glm::ivec2 high)
+{
+    for (std::size_t l = 0; l < m_levels.size(); ++l, low /= 2, high = (high + 1) / 2)
+        for (int z = low.y; z < std::min(high.y, m_levels[l].nodes.y); ++z)
+            for (int x = low.x; x < std::min(high.x, m_levels[l].nodes.x); ++x) {
+                glm::vec2 range{INFINITY, -INFINITY};
+                const auto add = [&range](float lowest, float highest) {
+                    range = {std::min(range.x, lowest), std::max(range.y, highest)};
+                };
+                if (l == 0) {
+                    const glm::ivec2 first = glm::ivec2{x, z} * TERRAIN_QUADS, last = glm::min(first + TERRAIN_QUADS, m_size - 1);
+                    for (int tz = first.y; tz <= last.y; ++tz)
+                        for (int tx = first.x; tx <= last.x; ++tx)
+                            add(heights.at(tx, tz), heights.at(tx, tz));
+                } else {
+                    const Level& below = m_levels[l - 1];
+                    for (int cz = 2 * z; cz < std::min(2 * z + 2, below.nodes.y); ++cz)
+                        for (int cx = 2 * x; cx < std::min(2 * x + 2, below.nodes.x); ++cx) {
+                            const glm::vec2 child = below.lowHigh[std::size_t(cz) * below.nodes.x + cx];
+                            add(child.x, child.y);
+                        }
+                }
+                m_levels[l].lowHigh[std::size_t(z) * m_levels[l].nodes.x + x] = range;
+            }
 }
 
 // On a sparse set of texels: how far the middle of an edge of the coarser grid lies from the map.

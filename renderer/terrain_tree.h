@@ -1,7 +1,7 @@
 // The ground's levels of detail: a quadtree over the height map, and the nodes that an eye needs.
 #pragma once
 
-#include "io/scene/terrain.h"
+#include "io/scene/height_map.h"
 #include "renderer/shaders/shared/terrain.h"
 
 #include <glm/glm.hpp>
@@ -21,6 +21,10 @@ class TerrainTree {
 public:
     TerrainTree() = default;
     explicit TerrainTree(const io::HeightMap& heights);
+
+    // Heights that differ from those before within `changed` only, and are as many.
+    void update(const io::HeightMap& heights, const io::TexelRect& changed);
+    glm::vec2 rangeOf(const io::TexelRect& rect) const; // m, lowest and highest of the nodes there
 
     int levels() const { return int(m_levels.size()); }
 
@@ -65,6 +69,7 @@ private:
         std::vector<glm::vec2> lowHigh; // m
         float error = 0;                // m, the most that nearly all of this level strays from the finest
     };
+    void measureNodes(const io::HeightMap& heights, glm::ivec2 low, glm::ivec2 high);
     void measureError(const io::HeightMap& heights);
     bool selectNode(const Eye& eye, int level, glm::ivec2 node, std::vector<GroundNode>& out) const;
     bool touches(const Eye& eye, int level, glm::ivec2 node, double range) const;

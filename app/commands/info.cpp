@@ -40,10 +40,10 @@ io::Value pathFacts()
                              {"cache", io::cacheFolder().string()}};
 }
 
-io::Value terrainFacts(const io::Assets& assets)
+io::Value terrainFacts(const io::Scene& scene)
 {
-    if (!assets.heights) return {};
-    const io::HeightMap& heights = *assets.heights;
+    if (!scene.heights()) return {};
+    const io::HeightMap& heights = *scene.heights();
     const glm::dvec2 metres = glm::dvec2{heights.size - 1} * heights.metresPerTexel;
     return io::Value::Object{{"size", io::Value::Array{heights.size.x, heights.size.y}},
                              {"metres", io::Value::Array{metres.x, metres.y}},
@@ -86,7 +86,7 @@ io::Value projectFacts(const editor::Document& document)
                                         {"triangles", triangles},
                                         {"templates", templates},
                                         {"models", std::uint64_t(models.size())},
-                                        {"terrain", terrainFacts(document.assets())}};
+                                        {"terrain", terrainFacts(document.scene())}};
     addPathsAndCameras(scene, facts);
     return facts;
 }

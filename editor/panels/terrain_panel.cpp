@@ -4,6 +4,8 @@
 #include "editor/field_ui.h"
 #include "editor/text.h"
 #include "editor/widgets.h"
+#include "io/base/log.h"
+#include "io/files/image_file.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -26,6 +28,25 @@ std::vector<std::string> filesIn(const fs::path& project, const char* folder)
     return files;
 }
 
+// The brightness of a picture, 0..1; null, with a word in the console, when it cannot be read.
+std::shared_ptr<const io::HeightGrid> readStamp(const fs::path& file)
+{
+    const io::Result<io::Image> image = io::readImage(file);
+    if (!image) {
+        io::log::error("{}", image.error().text());
+        return nullptr;
+    }
+    auto stamp = std::make_shared<io::HeightGrid>(io::HeightGrid{.size = image->size});
+    for (int z = 0; z < image->size.y; ++z)
+        for (int x = 0; x < image->size.x; ++x) {
+            const std::size_t i = std::size_t(x) * std::size_t(image->channels);
+            stamp->metres.push_back(image->type == io::PixelType::U8    ? float(image->row<std::uint8_t>(z)[i]) / 255
+                                    : image->type == io::PixelType::U16 ? float(image->row<std::uint16_t>(z)[i]) / 65535
+                                                                        : std::clamp(image->row<float>(z)[i], 0.0f, 1.0f));
+        }
+    return stamp;
+}
+
 void changeLayers(Editor& editor, const char* stepKey, auto&& change)
 {
     io::Terrain terrain = editor.document()->scene().terrain();
@@ -39,6 +60,7 @@ void TerrainPanel::draw(Editor& editor)
 {
     if (!editor.document()) return;
     refreshFiles(editor);
+    sculpting(editor);
     measures(editor);
     layers(editor);
 }
@@ -59,13 +81,38 @@ const std::vector<std::string>& TerrainPanel::filesFor(std::string_view key) con
     return key.ends_with("texture") ? m_textures : none;
 }
 
+// A tool takes the brush in hand; pressed again it is put down.
+void TerrainPanel::sculpting(Editor& editor)
+{
+    if (!editor.document()->scene().heights() || !ui::section("sculpt", tr("section.sculpt"))) return;
+    Viewport& viewport = editor.viewport();
+    constexpr int kColumns = 3;
+    const auto names = enumNames(viewport.brush.tool);
+    const float width = (ImGui::GetContentRegionAvail().x - 4 * (kColumns - 1)) / kColumns;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const bool on = viewport.sculpting && viewport.brush.tool == BrushTool(i);
+        if (i % kColumns > 0) ImGui::SameLine(0, 4);
+        if (!ui::button(names[i].data(), tr("brush." + std::string{names[i]}), on ? ui::Emphasis::Accent : ui::Emphasis::Normal, {width, 0}))
+            continue;
+        if (on) viewport.sculpting = false;
+        else viewport.sculptWith(editor, BrushTool(i));
+    }
+    FieldUi ui{{.prefix = "brush.",
+                .defaults = scalarsOf(Brush{.tool = viewport.brush.tool, .levelGiven = viewport.brush.levelGiven}),
+                .files = [this](std::string_view key) { return key == "brush.stamp" ? m_textures : std::vector<std::string>{}; }}};
+    fields(ui, viewport.brush);
+    if (ui.changedKey() == "brush.stamp") viewport.brush.stamp = readStamp(editor.document()->project().folder / viewport.brush.stampFile);
+    ui::checkbox("follow", tr("ground.follow"), viewport.objectsFollow);
+    ui::softText(tr("ground.brush_keys"));
+}
+
 void TerrainPanel::measures(Editor& editor)
 {
     io::Terrain shown = editor.document()->scene().terrain();
     FieldUi ui{{.prefix = "terrain.", .files = [this](std::string_view key) { return filesFor(key); }}};
     if (ui::section("terrain", tr("section.terrain"))) {
         fields(ui, shown);
-        if (const io::HeightMap* map = editor.document()->assets().heights.get())
+        if (const io::HeightMap* map = editor.document()->scene().heights().get())
             ui::softText(trf("ground.facts", map->size.x, map->size.y, map->min, map->max));
     }
     if (ui.changes().empty()) return;

@@ -16,6 +16,7 @@ public:
 
 private:
     void refreshFiles(Editor& editor);
+    void sculpting(Editor& editor);
     void measures(Editor& editor);
     void layers(Editor& editor);
     bool layerButtons(Editor& editor, std::size_t index); // false: the list of layers is another now

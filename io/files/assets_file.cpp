@@ -127,21 +127,11 @@ void addImageJobs(const World& world, Assets& assets, std::vector<Job>& jobs)
     }
 }
 
-void addHeightJob(const World& world, Assets& assets, std::vector<Job>& jobs)
+void addHeightJob(const World& world, std::shared_ptr<const HeightMap>& heights, std::vector<Job>& jobs)
 {
     const Terrain& terrain = world.scene.terrain();
     if (terrain.heightMap.empty()) return;
-    jobs.push_back({terrain.heightMap, [&world, &assets, &terrain](Complaints& complaints) {
-                        const Result<std::filesystem::path> path =
-                            insideFolder(world.project.folder, terrain.heightMap);
-                        Result<HeightMap> heights =
-                            path ? readHeightMap(*path, terrain, complaints) : Result<HeightMap>{path.error()};
-                        const std::string where = (world.project.folder / world.entry.file).string();
-                        if (heights)
-                            assets.heights = std::make_shared<const HeightMap>(std::move(*heights));
-                        else
-                            complaints.push_back(complaintOf(where, "terrain.height_map", heights.error()));
-                    }});
+    jobs.push_back({terrain.heightMap, [&](Complaints& complaints) { heights = readHeights(world, terrain, complaints); }});
 }
 
 } // namespace
@@ -161,17 +151,32 @@ std::shared_ptr<const Model> readTemplateModel(const World& world, TemplateId id
     return box(value->markerSize, kMissingColour);
 }
 
-Result<Assets> readAssets(const World& world, Complaints& complaints, const Progress& progress)
+std::shared_ptr<const HeightMap> readHeights(const World& world, const Terrain& terrain, Complaints& complaints)
+{
+    const Result<std::filesystem::path> path = insideFolder(world.project.folder, terrain.heightMap);
+    Result<HeightMap> heights = path ? readHeightMap(*path, terrain, complaints) : Result<HeightMap>{path.error()};
+    if (heights) return std::make_shared<const HeightMap>(std::move(*heights));
+    const std::string where = (world.project.folder / world.entry.file).string();
+    complaints.push_back(complaintOf(where, "terrain.height_map", heights.error()));
+    return nullptr;
+}
+
+Result<Assets> readAssets(World& world, Complaints& complaints, const Progress& progress)
 {
     Assets assets;
     std::vector<Job> jobs;
-    addHeightJob(world, assets, jobs); // the largest first
+    std::shared_ptr<const HeightMap> heights;
+    addHeightJob(world, heights, jobs); // the largest first
     addImageJobs(world, assets, jobs);
     addModelJobs(world, assets, jobs);
     const bool complete = runAll(jobs, progress);
     for (const Job& job : jobs)
         complaints.insert(complaints.end(), job.complaints.begin(), job.complaints.end());
     if (!complete) return Error{world.project.folder.string(), "reading was cancelled"};
+    if (heights) {
+        world.savedHeights = heights;
+        world.scene.exchange(std::move(heights));
+    }
     return assets;
 }
 
@@ -189,7 +194,7 @@ Complaints checkProject(const std::filesystem::path& project)
     std::vector<SceneEntry> scenes{{}}; // the start scene; the others once they are known
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         Complaints found;
-        const Result<World> world = openWorld(project, scenes[i].name, found);
+        Result<World> world = openWorld(project, scenes[i].name, found);
         if (world) {
             if (const Result<Assets> assets = readAssets(*world, found); !assets)
                 found.push_back({Severity::Error, assets.error().where, assets.error().what});

@@ -1,5 +1,6 @@
 #include "io/files/height_map_file.h"
 
+#include "io/base/contract.h"
 #include "io/files/atomic_file.h"
 #include "io/files/image_file.h"
 #include "io/files/png_file.h"
@@ -48,7 +49,7 @@ std::vector<float> plain(const Image& image)
 }
 
 // The mean of the neighbours that are known; NaN when there are none.
-float meanAround(const HeightMap& map, int x, int z)
+float meanAround(const HeightGrid& map, int x, int z)
 {
     float sum = 0;
     int count = 0;
@@ -67,7 +68,7 @@ float meanAround(const HeightMap& map, int x, int z)
 
 using Texels = std::vector<glm::ivec2>;
 
-std::vector<float> meansAround(const HeightMap& map, const Texels& texels)
+std::vector<float> meansAround(const HeightGrid& map, const Texels& texels)
 {
     std::vector<float> means;
     means.reserve(texels.size());
@@ -76,13 +77,13 @@ std::vector<float> meansAround(const HeightMap& map, const Texels& texels)
     return means;
 }
 
-void set(HeightMap& map, const glm::ivec2& texel, float metres)
+void set(HeightGrid& map, const glm::ivec2& texel, float metres)
 {
     map.metres[std::size_t(texel.y) * map.size.x + texel.x] = metres;
 }
 
 // Texels next to a void one, that are void themselves and not in line yet.
-void addVoidNeighbours(const HeightMap& map, const glm::ivec2& texel, std::vector<bool>& queued, Texels& ring)
+void addVoidNeighbours(const HeightGrid& map, const glm::ivec2& texel, std::vector<bool>& queued, Texels& ring)
 {
     for (int dz = -1; dz <= 1; ++dz) {
         for (int dx = -1; dx <= 1; ++dx) {
@@ -97,7 +98,7 @@ void addVoidNeighbours(const HeightMap& map, const glm::ivec2& texel, std::vecto
 }
 
 // Grows the known ground into the voids ring by ring, then lets what was filled settle like a membrane.
-std::size_t fillVoids(HeightMap& map)
+std::size_t fillVoids(HeightGrid& map)
 {
     std::vector<bool> queued(map.metres.size());
     Texels ring, filled;
@@ -146,24 +147,22 @@ Result<HeightMap> readHeightMap(const std::filesystem::path& file, const Terrain
     if (!image) return image.error();
     if (image->size.x < 2 || image->size.y < 2) return Error{where, "a height map needs at least 2 x 2 pixels"};
 
-    HeightMap map;
-    map.size = image->size;
-    map.metresPerTexel = terrain.metresPerTexel;
-    map.origin = terrain.origin;
-    map.metres = metresOf(*image, terrain, where, complaints);
-    const bool voids = std::any_of(map.metres.begin(), map.metres.end(), [](float m) { return std::isnan(m); });
-    if (voids && std::all_of(map.metres.begin(), map.metres.end(), [](float m) { return std::isnan(m); }))
+    HeightGrid grid{.size = image->size, .metresPerTexel = terrain.metresPerTexel, .origin = terrain.origin};
+    grid.metres = metresOf(*image, terrain, where, complaints);
+    const bool voids = std::any_of(grid.metres.begin(), grid.metres.end(), [](float m) { return std::isnan(m); });
+    if (voids && std::all_of(grid.metres.begin(), grid.metres.end(), [](float m) { return std::isnan(m); }))
         return Error{where, "a height map without a single height"};
     if (voids)
         complaints.push_back({Severity::Warning, where,
-                              std::to_string(fillVoids(map)) + " heights are missing; filled from their neighbours"});
-    const auto [low, high] = std::minmax_element(map.metres.begin(), map.metres.end());
-    map.min = *low;
-    map.max = *high;
+                              std::to_string(fillVoids(grid)) + " heights are missing; filled from their neighbours"});
+    HeightMap map{grid};
+    map.shares = image->type != PixelType::F32;
     return map;
 }
 
-Status writeHeightMap16(const std::filesystem::path& file, const HeightMap& heights, double minHeight, double maxHeight)
+namespace {
+
+Result<std::string> encoded16(const HeightGrid& heights, double minHeight, double maxHeight)
 {
     EXPECTS(maxHeight > minHeight);
     Image image{.size = heights.size, .channels = 1, .type = PixelType::U16};
@@ -173,9 +172,36 @@ Status writeHeightMap16(const std::filesystem::path& file, const HeightMap& heig
         const double share = std::clamp((double(metres) - minHeight) / (maxHeight - minHeight), 0.0, 1.0);
         *texel++ = std::uint16_t(std::lround(share * 65535));
     }
-    const Result<std::string> png = encodePng(image);
+    return encodePng(image);
+}
+
+} // namespace
+
+Status writeHeightMap16(const std::filesystem::path& file, const HeightGrid& heights, double minHeight, double maxHeight)
+{
+    const Result<std::string> png = encoded16(heights, minHeight, maxHeight);
     if (!png) return Error{file.string(), png.error().what};
     return writeFile(file, *png);
+}
+
+Result<std::string> encodeHeightMap(const HeightMap& heights, Terrain& terrain)
+{
+    HeightGrid grid = heights.read(heights.texels());
+    std::string extension = std::filesystem::path{terrain.heightMap}.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](char c) { return char(std::tolower(c)); });
+    if (extension == ".png") {
+        const auto [low, high] = std::minmax(terrain.minHeight, terrain.maxHeight);
+        if (heights.min < low || heights.max > high || high <= low) {
+            terrain.minHeight = std::floor(std::min(low, double(heights.min)));
+            terrain.maxHeight = std::ceil(std::max({high, double(heights.max), terrain.minHeight + 1}));
+        }
+        if (terrain.minHeight > terrain.maxHeight) std::swap(terrain.minHeight, terrain.maxHeight); // an upside-down file is put right
+        return encoded16(grid, terrain.minHeight, terrain.maxHeight);
+    }
+    Image image{.size = grid.size, .channels = 1, .type = PixelType::F32};
+    image.bytes.resize(image.rowBytes() * std::size_t(image.size.y));
+    std::ranges::copy(grid.metres, image.row<float>(0));
+    return encodeFloatImage(extension, image);
 }
 
 } // namespace io

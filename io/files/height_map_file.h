@@ -3,6 +3,7 @@
 
 #include "io/base/complaint.h"
 #include "io/base/result.h"
+#include "io/scene/height_map.h"
 #include "io/scene/terrain.h"
 
 #include <filesystem>
@@ -15,7 +16,11 @@ namespace io {
 Result<HeightMap> readHeightMap(const std::filesystem::path& file, const Terrain& terrain, Complaints& complaints);
 
 // A 16-bit PNG that readHeightMap() reads back with the same two heights; what lies outside them is clamped.
-Status writeHeightMap16(const std::filesystem::path& file, const HeightMap& heights, double minHeight,
+Status writeHeightMap16(const std::filesystem::path& file, const HeightGrid& heights, double minHeight,
                         double maxHeight);
+
+// What terrain.heightMap is to hold: a PNG of 16 bits between the terrain's two heights, which are moved apart where the
+// ground lies beyond them; EXR or TIFF in metres, float.
+Result<std::string> encodeHeightMap(const HeightMap& heights, Terrain& terrain);
 
 } // namespace io

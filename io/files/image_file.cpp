@@ -1,5 +1,6 @@
 #include "io/files/image_file.h"
 
+#include "io/base/contract.h"
 #include "io/files/atomic_file.h"
 #include "io/files/image_bytes.h"
 #include "io/files/jpeg_file.h"
@@ -25,18 +26,18 @@ Result<Image> decode(std::string_view bytes, const std::string& where)
     return module->decode(format, bytes, where);
 }
 
-Result<std::string> encodeExr(const Image& image)
+Result<std::string> encodeByModule(const std::string& format, const Image& image)
 {
     const Result<PictureModule> module = pictureModule();
     if (!module) return module.error();
-    return module->encodeExr(image);
+    return module->encode(format, image);
 }
 
 Result<std::string> encode(const std::string& extension, const Image& image, int quality)
 {
     if (extension == ".png") return encodePng(image);
     if (extension == ".jpg") return encodeJpeg(image, quality);
-    return encodeExr(image);
+    return encodeByModule("exr", image);
 }
 
 Error unfit(const std::filesystem::path& file, const char* what)
@@ -60,6 +61,14 @@ Result<Image> readImage(const std::filesystem::path& file)
     const Result<std::string> bytes = readFile(file);
     if (!bytes) return bytes.error();
     return decodeImage(*bytes, file.string());
+}
+
+Result<std::string> encodeFloatImage(const std::string& extension, const Image& image)
+{
+    EXPECTS(image.type == PixelType::F32);
+    if (extension == ".exr") return encodeByModule("exr", image);
+    if (extension == ".tif" || extension == ".tiff") return encodeByModule("tiff", image);
+    return Error{extension, "float pixels are written as .exr or .tif"};
 }
 
 Status writeImage(const std::filesystem::path& file, const Image& image, int quality)

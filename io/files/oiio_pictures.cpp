@@ -110,12 +110,12 @@ Result<Image> decode(const std::string& format, std::string_view bytes, const st
     }
 }
 
-Result<std::string> encodePixels(const Image& image)
+Result<std::string> encodePixels(const std::string& format, const Image& image)
 {
     OIIO::ImageSpec spec{image.size.x, image.size.y, image.channels, typeOf(image.type)};
     spec.attribute("oiio:UnassociatedAlpha", 1);
     spec.attribute("compression", "zip");
-    const std::string name = "image.exr";
+    const std::string name = "image." + format;
     OIIO::Filesystem::IOVecOutput memory;
     const auto output = OIIO::ImageOutput::create(name);
     if (!output) return Error{name, "no writer for this format"};
@@ -126,12 +126,12 @@ Result<std::string> encodePixels(const Image& image)
     return std::string{bytes.begin(), bytes.end()};
 }
 
-Result<std::string> encodeExr(const Image& image)
+Result<std::string> encode(const std::string& format, const Image& image)
 {
     try {
-        return encodePixels(image);
+        return encodePixels(format, image);
     } catch (const std::exception& error) {
-        return Error{"EXR", std::string{"cannot be encoded: "} + error.what()};
+        return Error{format, std::string{"cannot be encoded: "} + error.what()};
     }
 }
 
@@ -140,5 +140,5 @@ Result<std::string> encodeExr(const Image& image)
 
 extern "C" io::PictureModule woldPictures()
 {
-    return {.decode = io::decode, .encodeExr = io::encodeExr};
+    return {.decode = io::decode, .encode = io::encode};
 }

@@ -13,7 +13,7 @@ namespace io {
 struct PictureModule {
     // `format` as imageFormat() has it. Sizes are checked against the limits of image_file.h before any pixel is read.
     Result<Image> (*decode)(const std::string& format, std::string_view bytes, const std::string& where) = nullptr;
-    Result<std::string> (*encodeExr)(const Image& image) = nullptr; // float
+    Result<std::string> (*encode)(const std::string& format, const Image& image) = nullptr; // "exr" or "tiff"
 };
 
 Result<PictureModule> pictureModule(); // loaded once, kept until the end

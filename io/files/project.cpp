@@ -3,6 +3,7 @@
 #include "io/base/log.h"
 #include "io/base/paths.h"
 #include "io/files/documents.h"
+#include "io/files/height_map_file.h"
 #include "io/files/scene_file.h"
 
 #include <algorithm>
@@ -156,6 +157,20 @@ std::uint64_t addIfChanged(FileTransaction& transaction, const fs::path& folder,
     return bytes;
 }
 
+// Adds the heights unless their file holds them, and answers what the scene's file is to say of them.
+Result<Terrain> addHeights(FileTransaction& transaction, const World& world)
+{
+    Terrain terrain = world.scene.terrain();
+    const auto& heights = world.scene.heights();
+    const bool held = !heights || heights == world.savedHeights || (world.savedHeights && heights->sameHeights(*world.savedHeights));
+    if (terrain.heightMap.empty() || held) return terrain;
+    if (const Result<fs::path> path = insideFolder(world.project.folder, terrain.heightMap); !path) return path.error();
+    Result<std::string> bytes = encodeHeightMap(*heights, terrain);
+    if (!bytes) return Error{shown(world.project.folder, terrain.heightMap), bytes.error().what};
+    transaction.add(terrain.heightMap, *std::move(bytes));
+    return terrain;
+}
+
 // What the files hold is what the world now remembers of them.
 void remember(World& world, std::vector<std::string> templates, decltype(World::templateFiles) templateFiles)
 {
@@ -210,7 +225,9 @@ Result<FileTransaction::Report> saveWorld(World& world)
     FileTransaction transaction{folder};
     ProjectBody body = bodyOf(world);
     addIfChanged(transaction, folder, kProjectFile, body, projectText(body), readProjectText);
-    transaction.add(world.entry.file, sceneText(world.scene, environmentFile));
+    Result<Terrain> terrain = addHeights(transaction, world);
+    if (!terrain) return terrain.error();
+    transaction.add(world.entry.file, sceneText(world.scene, environmentFile, *terrain));
     addIfChanged(transaction, folder, environmentFile, world.scene.environment(),
                  environmentText(world.scene.environment()), readEnvironmentText);
     decltype(World::templateFiles) templateFiles;
@@ -230,6 +247,8 @@ Result<FileTransaction::Report> saveWorld(World& world)
     for (const fs::path& kept : report->kept)
         log::warning("{}: another program changed it; the template is deleted, but the file stays",
                      (folder / kept).string());
+    world.scene.exchange(*std::move(terrain)); // whose two heights may lie farther apart now
+    world.savedHeights = world.scene.heights();
     remember(world, std::move(body.templates), std::move(templateFiles));
     return report;
 }

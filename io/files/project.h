@@ -36,6 +36,7 @@ struct World {
     SceneEntry entry;            // the scene that is open
     std::string environmentFile; // environments/NAME.json, named by the scene
     Scene scene;                 // objects, templates, environment, terrain; cameras and paths from project.json
+    std::shared_ptr<const HeightMap> savedHeights; // as their file holds them; null: not read or written yet
     // Templates that were read from a file or saved to it, and what it held (fingerprint()): only that file is
     // removed when its template is deleted.
     std::map<std::string, std::uint64_t, std::less<>> templateFiles;
@@ -51,9 +52,11 @@ Result<FileTransaction::Report> saveWorld(World& world);
 // The other scenes of the project that hold objects of this template, by name.
 std::vector<std::string> otherScenesWith(const World& world, std::string_view templateName);
 
-// Models, height map and layer images that the scene names. What cannot be read is complained about and replaced
-// by a stand-in, so that the rest can be worked on. An error only when cancelled.
-Result<Assets> readAssets(const World& world, Complaints& complaints, const Progress& progress = {});
+// Models and layer images that the scene names, and its heights, which become the scene's. What cannot be read is complained
+// about and replaced by a stand-in, so that the rest can be worked on. An error only when cancelled.
+Result<Assets> readAssets(World& world, Complaints& complaints, const Progress& progress = {});
+// The heights that a terrain of this project names; null, with a complaint, where they cannot be read.
+std::shared_ptr<const HeightMap> readHeights(const World& world, const Terrain& terrain, Complaints& complaints);
 std::shared_ptr<const Model> readTemplateModel(const World& world, TemplateId id, Complaints& complaints);
 
 // `wold new`: from a starter that ships ("empty", "valley"). The folder must be missing or empty.

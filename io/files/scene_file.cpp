@@ -240,11 +240,16 @@ Result<std::string> readSceneText(std::string text, const std::string& name, Sce
 
 std::string sceneText(const Scene& scene, const std::string& environmentFile)
 {
+    return sceneText(scene, environmentFile, scene.terrain());
+}
+
+std::string sceneText(const Scene& scene, const std::string& environmentFile, const Terrain& terrain)
+{
     std::string out;
     out.reserve(512 + scene.objects().size() * 128);
     FieldWriter writer{out, 0, &scene.extra};
     out += '{';
-    const Headed<SceneBody> head{kFormat, kFileVersion, {environmentFile, scene.terrain(), {}}};
+    const Headed<SceneBody> head{kFormat, kFileVersion, {environmentFile, terrain, {}}};
     fields(writer, head);
     const std::vector<ObjectId> ids = scene.sortedIds();
     if (scene.lastSavedId > (ids.empty() ? ObjectId::None : ids.back())) {

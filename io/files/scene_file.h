@@ -13,5 +13,6 @@ namespace io {
 // scene names as its environment. Templates that the objects name and the scene lacks get an empty slot.
 Result<std::string> readSceneText(std::string text, const std::string& name, Scene& scene, Complaints& complaints);
 std::string sceneText(const Scene& scene, const std::string& environmentFile);
+std::string sceneText(const Scene& scene, const std::string& environmentFile, const Terrain& terrain); // in place of the scene's own
 
 } // namespace io

@@ -3,7 +3,6 @@
 
 #include "io/scene/model.h"
 #include "io/scene/scene.h"
-#include "io/scene/terrain.h"
 
 #include <memory>
 #include <vector>
@@ -18,7 +17,6 @@ struct LayerImages {
 struct Assets {
     // By template slot (TemplateId - 1), never null once read: a marker or a missing model is a box.
     std::vector<std::shared_ptr<const Model>> models;
-    std::shared_ptr<const HeightMap> heights;  // null: no terrain
     std::vector<LayerImages> layers;           // as Terrain::layers
 
     const Model* model(TemplateId id) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/scene/ids.h"
+#include "io/scene/texel_rect.h"
 
 #include <vector>
 
@@ -13,11 +14,13 @@ struct Changes {
     bool environment = false;
     bool cameras = false;
     bool terrain = false;
+    std::vector<TexelRect> heights; // parts of the ground that rose or sank; all of it for another map
     bool everything = false; // another scene: rebuild
 
     bool none() const
     {
-        return objects.empty() && templates.empty() && !environment && !cameras && !terrain && !everything;
+        return objects.empty() && templates.empty() && !environment && !cameras && !terrain &&
+               heights.empty() && !everything;
     }
     void add(const Changes& other)
     {
@@ -26,6 +29,7 @@ struct Changes {
         environment |= other.environment;
         cameras |= other.cameras;
         terrain |= other.terrain;
+        heights.insert(heights.end(), other.heights.begin(), other.heights.end());
         everything |= other.everything;
     }
 };

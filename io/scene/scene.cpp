@@ -121,7 +121,13 @@ Environment Scene::exchange(Environment environment)
 }
 Terrain Scene::exchange(Terrain terrain)
 {
+    const bool moved = terrain.metresPerTexel != m_terrain.metresPerTexel || terrain.origin != m_terrain.origin;
+    if (moved && m_heights) m_heights = std::make_shared<const HeightMap>(m_heights->placed(terrain.metresPerTexel, terrain.origin));
     return std::exchange(m_terrain, std::move(terrain));
+}
+std::shared_ptr<const HeightMap> Scene::exchange(std::shared_ptr<const HeightMap> heights)
+{
+    return std::exchange(m_heights, std::move(heights));
 }
 std::vector<Camera> Scene::exchange(std::vector<Camera> cameras)
 {
@@ -141,7 +147,7 @@ void Scene::reserve(std::size_t objects)
 bool sameContent(const Scene& a, const Scene& b)
 {
     if (a.objects().size() != b.objects().size() || a.environment() != b.environment() || a.terrain() != b.terrain() ||
-        !std::ranges::equal(a.cameras(), b.cameras()) || !std::ranges::equal(a.paths(), b.paths()))
+        !a.heights() != !b.heights() || (a.heights() && *a.heights() != *b.heights()) || !std::ranges::equal(a.cameras(), b.cameras()) || !std::ranges::equal(a.paths(), b.paths()))
         return false;
     for (const Object& object : a.objects()) {
         const Object* other = b.find(object.id);

@@ -5,11 +5,13 @@
 #include "io/scene/camera.h"
 #include "io/scene/changes.h"
 #include "io/scene/environment.h"
+#include "io/scene/height_map.h"
 #include "io/scene/ids.h"
 #include "io/scene/object.h"
 #include "io/scene/template.h"
 #include "io/scene/terrain.h"
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,6 +42,7 @@ public:
 
     const Environment& environment() const { return m_environment; }
     const Terrain& terrain() const { return m_terrain; }
+    const std::shared_ptr<const HeightMap>& heights() const { return m_heights; } // null: no ground
     std::span<const Camera> cameras() const { return m_cameras; }
     std::span<const CameraPath> paths() const { return m_paths; }
     const Camera* findCamera(std::string_view name) const;
@@ -54,7 +57,8 @@ public:
     std::optional<Object> exchange(ObjectId id, std::optional<Object> object);
     std::optional<Template> exchange(TemplateId id, std::optional<Template> value);
     Environment exchange(Environment environment);
-    Terrain exchange(Terrain terrain);
+    Terrain exchange(Terrain terrain); // heights lie where it says from then on, if that changes
+    std::shared_ptr<const HeightMap> exchange(std::shared_ptr<const HeightMap> heights);
     std::vector<Camera> exchange(std::vector<Camera> cameras);
     std::vector<CameraPath> exchange(std::vector<CameraPath> paths);
 
@@ -72,6 +76,7 @@ private:
     std::vector<TemplateSlot> m_templates;
     Environment m_environment;
     Terrain m_terrain;
+    std::shared_ptr<const HeightMap> m_heights;
     std::vector<Camera> m_cameras;
     std::vector<CameraPath> m_paths;
 };

@@ -1,11 +1,10 @@
-// The ground: how a height map lies in the world, what covers it, and the surface that it makes.
+// The ground: how a height map lies in the world and what covers it. Its heights: io/scene/height_map.h.
 #pragma once
 
 #include "io/scene/bounds.h"
 #include "io/scene/extra.h"
 
 #include <glm/glm.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,22 +34,6 @@ struct Terrain {
     std::vector<TerrainLayer> layers;
     Extra extra;
     bool operator==(const Terrain&) const = default;
-};
-
-// Heights in metres, row by row from -Z to +Z. A texel is a vertex; a square of four is two triangles that
-// share the diagonal from (x+1, z) to (x, z+1). The renderer draws exactly this surface near the camera.
-struct HeightMap {
-    glm::ivec2 size{0};
-    std::vector<float> metres;
-    double metresPerTexel = 1;
-    glm::dvec2 origin{0};
-    float min = 0;
-    float max = 0;
-
-    float at(int x, int z) const { return metres[std::size_t(z) * size.x + x]; } // texel, in range
-    bool contains(double x, double z) const;                                     // world, m
-    std::optional<double> height(double x, double z) const;                      // of the triangle there
-    std::optional<glm::dvec3> normal(double x, double z) const;                  // smooth, from the neighbours
 };
 
 struct TerrainHit {

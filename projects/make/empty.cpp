@@ -8,12 +8,11 @@ namespace make {
 
 io::Status makeEmpty(const std::filesystem::path& folder, Textures& textures)
 {
-    io::HeightMap land = blankHeights(513, 1);
+    io::HeightGrid land = blankHeights(513, 1);
     fill(land, [](glm::vec2 p) {
         const float away = glm::smoothstep(15.0f, 200.0f, glm::length(p)); // level where one starts
         return 8 + away * (11 + 26 * fbm(p / 170.0f, 11, {.count = 5}));
     });
-    finish(land);
     Stage stage{folder, "Empty", land, textures};
     for (const char* name : {"oak", "fir", "rock_mossy", "bush"})
         stage.addModels({&entryOf(name), 1});

@@ -23,9 +23,9 @@ const Share kSets[] = {{"Rock2", 65, 1.6f},      {"Campfire", 3, 3},         {"A
                        {"Stump2", 1, 1.5f}};
 constexpr int kThings[] = {4, 6, 13}; // of kSets in set 1, 2, 3
 
-io::HeightMap hills()
+io::HeightGrid hills()
 {
-    io::HeightMap land = blankHeights(513, 2);
+    io::HeightGrid land = blankHeights(513, 2);
     fill(land, [](glm::vec2 p) {
         const glm::vec2 warp = 60.0f * glm::vec2{fbm(p / 300.0f, 3, {.count = 3}), fbm(p / 300.0f, 4, {.count = 3})};
         const float rim = glm::smoothstep(180.0f, 560.0f, glm::length(p));
@@ -36,7 +36,6 @@ io::HeightMap hills()
     settle(land, 48, 4);
     land = doubled(land);
     rainOn(land, {.drops = 40000, .steps = 30, .strength = 0.6f, .seed = 8});
-    finish(land);
     return land;
 }
 
@@ -102,7 +101,7 @@ std::vector<io::TerrainLayer> layers()
 
 io::Status makeForest(const std::filesystem::path& folder, int set, Textures& textures)
 {
-    static const io::HeightMap land = hills();
+    static const io::HeightGrid land = hills();
     Stage stage{folder, "Forest " + std::to_string(set), land, textures};
     const auto things = std::span{kSets}.first(std::size_t(kThings[set - 1]));
     stage.addModels(forestEntries().first(things.size()));

@@ -1,31 +1,15 @@
-// Smooth noise. `period` is in lattice cells: with it the noise repeats, so that textures tile; 0 never repeats.
+// The noise that the worlds are made of, by the short names used here.
 #pragma once
 
-#include <cstdint>
-#include <glm/glm.hpp>
+#include "io/base/noise.h"
 
 namespace make {
 
-float noise(glm::vec2 p, std::uint32_t seed,
-            glm::ivec2 period = glm::ivec2{0}); // gradient noise (Perlin 2002), about -1..1
-float noise(glm::vec3 p, std::uint32_t seed);
-
-struct Octaves {
-    int count = 5;
-    float gain = 0.5f;    // amplitude of each octave against the one before
-    glm::ivec2 period{0}; // of the first octave
-};
-float fbm(glm::vec2 p, std::uint32_t seed, Octaves octaves = {});
-float fbm(glm::vec3 p, std::uint32_t seed, Octaves octaves = {});
-float ridged(glm::vec2 p, std::uint32_t seed, Octaves octaves = {}); // 0..1, sharp crests (Musgrave 1998)
-
-// Distances to the two nearest feature points, one in each lattice cell (Worley 1996).
-struct Cells {
-    float nearest = 0;
-    float second = 0;
-    std::uint32_t id = 0; // of the nearest point
-    glm::vec2 offset{0};  // from the nearest point
-};
-Cells cells(glm::vec2 p, std::uint32_t seed, glm::ivec2 period = glm::ivec2{0});
+using io::Cells;
+using io::cells;
+using io::fbm;
+using io::noise;
+using io::Octaves;
+using io::ridged;
 
 } // namespace make

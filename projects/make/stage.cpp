@@ -55,7 +55,7 @@ float groundAt(const Stage& stage, glm::vec3 p)
 
 } // namespace
 
-Stage::Stage(fs::path folder, std::string name, io::HeightMap heights, Textures& textures)
+Stage::Stage(fs::path folder, std::string name, io::HeightGrid heights, Textures& textures)
     : m_heights{std::move(heights)}, m_textures{textures}
 {
     m_world.project = {.folder = std::move(folder),

@@ -25,7 +25,7 @@ struct Put {
 
 class Stage {
 public:
-    Stage(std::filesystem::path folder, std::string name, io::HeightMap heights, Textures& textures);
+    Stage(std::filesystem::path folder, std::string name, io::HeightGrid heights, Textures& textures);
 
     void addModels(std::span<const Entry> entries);
     void addMarker(const std::string& name, glm::vec3 size, bool casts = false);
@@ -36,7 +36,7 @@ public:
     bool isFree(glm::vec2 at, float radius) const;
     void take(glm::vec2 at, float radius);
 
-    const io::HeightMap& heights() const { return m_heights; }
+    const io::HeightGrid& heights() const { return m_heights; }
     std::size_t objects() const { return m_world.scene.objects().size(); }
     std::size_t count(std::string_view what) const;
 
@@ -51,7 +51,7 @@ private:
     io::Transform placed(const Put& put, const io::Template& what, Random& random) const;
 
     io::World m_world;
-    io::HeightMap m_heights;
+    io::HeightGrid m_heights;
     Textures& m_textures;
     std::map<std::string, std::string> m_models;        // file inside the project, its bytes
     std::map<std::string, float, std::less<>> m_depths; // how far a template's model reaches below its origin, m

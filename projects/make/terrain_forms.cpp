@@ -7,9 +7,9 @@
 
 namespace make {
 
-io::HeightMap blankHeights(int side, double metresPerTexel)
+io::HeightGrid blankHeights(int side, double metresPerTexel)
 {
-    io::HeightMap map;
+    io::HeightGrid map;
     map.size = {side, side};
     map.metresPerTexel = metresPerTexel;
     map.origin = glm::dvec2{-0.5 * (side - 1) * metresPerTexel};
@@ -17,12 +17,12 @@ io::HeightMap blankHeights(int side, double metresPerTexel)
     return map;
 }
 
-void fill(io::HeightMap& map, const std::function<float(glm::vec2)>& heights)
+void fill(io::HeightGrid& map, const std::function<float(glm::vec2)>& heights)
 {
     change(map, [&](glm::vec2 p, float) { return heights(p); });
 }
 
-void change(io::HeightMap& map, const std::function<float(glm::vec2, float)>& heights)
+void change(io::HeightGrid& map, const std::function<float(glm::vec2, float)>& heights)
 {
     for (int z = 0; z < map.size.y; ++z)
         for (int x = 0; x < map.size.x; ++x) {
@@ -38,16 +38,16 @@ float cubic(float a, float b, float c, float d) // half way between b and c (Cat
     return (9 * (b + c) - a - d) / 16;
 }
 
-float clampedAt(const io::HeightMap& map, int x, int z)
+float clampedAt(const io::HeightGrid& map, int x, int z)
 {
     return map.at(std::clamp(x, 0, map.size.x - 1), std::clamp(z, 0, map.size.y - 1));
 }
 
 } // namespace
 
-io::HeightMap doubled(const io::HeightMap& map)
+io::HeightGrid doubled(const io::HeightGrid& map)
 {
-    io::HeightMap fine = blankHeights(map.size.x * 2 - 1, map.metresPerTexel / 2);
+    io::HeightGrid fine = blankHeights(map.size.x * 2 - 1, map.metresPerTexel / 2);
     const int side = fine.size.x;
     const auto out = [&](int x, int z) -> float& { return fine.metres[std::size_t(z) * side + x]; };
     for (int z = 0; z < map.size.y; ++z)
@@ -73,7 +73,7 @@ struct Ground {
 
 class Erosion {
 public:
-    Erosion(io::HeightMap& map, const Rain& rain) : m_map{map}, m_rain{rain}, m_random{rain.seed}
+    Erosion(io::HeightGrid& map, const Rain& rain) : m_map{map}, m_rain{rain}, m_random{rain.seed}
     {
         float sum = 0;
         for (int dz = -rain.brush; dz <= rain.brush; ++dz)
@@ -152,7 +152,7 @@ private:
             h[offset] -= amount * weight;
     }
 
-    io::HeightMap& m_map;
+    io::HeightGrid& m_map;
     const Rain& m_rain;
     Random m_random;
     std::vector<std::pair<std::ptrdiff_t, float>> m_brush;
@@ -160,14 +160,14 @@ private:
 
 } // namespace
 
-void rainOn(io::HeightMap& map, const Rain& rain)
+void rainOn(io::HeightGrid& map, const Rain& rain)
 {
     Erosion erosion{map, rain};
     for (int i = 0; i < rain.drops; ++i)
         erosion.drop();
 }
 
-void settle(io::HeightMap& map, float degrees, int passes)
+void settle(io::HeightGrid& map, float degrees, int passes)
 {
     const float most = std::tan(glm::radians(degrees)) * float(map.metresPerTexel);
     const int side = map.size.x;
@@ -185,21 +185,14 @@ void settle(io::HeightMap& map, float degrees, int passes)
             }
 }
 
-void finish(io::HeightMap& map)
-{
-    const auto [low, high] = std::minmax_element(map.metres.begin(), map.metres.end());
-    map.min = *low;
-    map.max = *high;
-}
-
-float heightAt(const io::HeightMap& map, glm::vec2 place)
+float heightAt(const io::HeightGrid& map, glm::vec2 place)
 {
     const glm::dvec2 low = map.origin, high = map.origin + glm::dvec2{map.size - 1} * map.metresPerTexel;
     const glm::dvec2 p = glm::clamp(glm::dvec2{place}, low, high);
     return float(map.height(p.x, p.y).value_or(0));
 }
 
-float slopeAt(const io::HeightMap& map, glm::vec2 place)
+float slopeAt(const io::HeightGrid& map, glm::vec2 place)
 {
     const auto normal = map.normal(place.x, place.y);
     return normal ? float(glm::degrees(std::acos(std::min(1.0, normal->y)))) : 90;

@@ -1,7 +1,7 @@
 // Land before things stand on it: height fields made from noise, worn by water and by falling stones.
 #pragma once
 
-#include "io/scene/terrain.h"
+#include "io/scene/height_grid.h"
 
 #include <cstdint>
 #include <functional>
@@ -9,14 +9,14 @@
 namespace make {
 
 // A square field of `side` texels, centred on the world's origin.
-io::HeightMap blankHeights(int side, double metresPerTexel);
+io::HeightGrid blankHeights(int side, double metresPerTexel);
 
 // heights(x, z) in metres for each texel.
-void fill(io::HeightMap& map, const std::function<float(glm::vec2)>& heights);
-void change(io::HeightMap& map, const std::function<float(glm::vec2, float)>& heights); // gets what was there
+void fill(io::HeightGrid& map, const std::function<float(glm::vec2)>& heights);
+void change(io::HeightGrid& map, const std::function<float(glm::vec2, float)>& heights); // gets what was there
 
 // Twice the resolution over the same ground: side 2n - 1, cubic between the old texels.
-io::HeightMap doubled(const io::HeightMap& map);
+io::HeightGrid doubled(const io::HeightGrid& map);
 
 // Rain drops that run downhill, carry soil away where they are fast and leave it where they slow down
 // (Beyer 2015, "Implementation of a method for hydraulic erosion").
@@ -27,14 +27,12 @@ struct Rain {
     float strength = 1; // of taking and leaving
     std::uint64_t seed = 1;
 };
-void rainOn(io::HeightMap& map, const Rain& rain);
+void rainOn(io::HeightGrid& map, const Rain& rain);
 
 // Soil steeper than `degrees` slides until it rests.
-void settle(io::HeightMap& map, float degrees, int passes);
+void settle(io::HeightGrid& map, float degrees, int passes);
 
-void finish(io::HeightMap& map); // min and max
-
-float slopeAt(const io::HeightMap& map, glm::vec2 place);  // degrees
-float heightAt(const io::HeightMap& map, glm::vec2 place); // m, clamped to the field
+float slopeAt(const io::HeightGrid& map, glm::vec2 place);  // degrees
+float heightAt(const io::HeightGrid& map, glm::vec2 place); // m, clamped to the field
 
 } // namespace make

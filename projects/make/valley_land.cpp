@@ -83,7 +83,7 @@ float carved(glm::vec2 p, float height)
 }
 
 // Level ground for the camp and, where the slope begins, for the hut.
-void level(io::HeightMap& land, glm::vec2 middle, float radius, float height)
+void level(io::HeightGrid& land, glm::vec2 middle, float radius, float height)
 {
     change(land, [&](glm::vec2 p, float h) {
         const float away = glm::length(p - middle) + 0.25f * radius * noise(p / 18.0f, 41);
@@ -92,9 +92,9 @@ void level(io::HeightMap& land, glm::vec2 middle, float radius, float height)
 }
 
 // Heights of steep, rough ground in steps that no one sees there: the file shrinks by a fifth.
-void coarsen(io::HeightMap& land)
+void coarsen(io::HeightGrid& land)
 {
-    const io::HeightMap before = land;
+    const io::HeightGrid before = land;
     change(land, [&](glm::vec2 p, float h) {
         const float step = 8 * kValleyTop / 65535; // of the file's own, 5 cm
         return slopeAt(before, p) > 22 ? std::round(h / step) * step : h;
@@ -122,9 +122,9 @@ float streamDistance(glm::vec2 p)
     return std::min(nearest, std::abs(p.x - streamX(p.y)));
 }
 
-io::HeightMap makeValleyLand()
+io::HeightGrid makeValleyLand()
 {
-    io::HeightMap land = blankHeights(513, 4);
+    io::HeightGrid land = blankHeights(513, 4);
     fill(land, rawHeight);
     rainOn(land, {.drops = 170000, .steps = 48, .seed = 51});
     settle(land, 52, 6);
@@ -151,7 +151,6 @@ io::HeightMap makeValleyLand()
     change(land, carved);
     change(land, [](glm::vec2, float h) { return std::clamp(h, 0.0f, kValleyTop); });
     coarsen(land);
-    finish(land);
     return land;
 }
 

@@ -11,6 +11,6 @@ constexpr glm::vec2 kHut{-18, -15};  // from the campfire, m
 
 float streamX(float z);            // the stream's middle
 float streamDistance(glm::vec2 p); // m, to its middle
-io::HeightMap makeValleyLand();    // 2049 x 2049, 1 m
+io::HeightGrid makeValleyLand();    // 2049 x 2049, 1 m
 
 } // namespace make

@@ -15,16 +15,16 @@ constexpr float kGroundErrorTexels = 0.5f; // how far the ground may stray, whic
 constexpr double kNearlyAll = 0.75;        // of a window's texels: parts that make up more are drawn as one
 
 // What a layer lacks of its cascade's window. Few and large parts cost less than many small ones that overlap.
-std::vector<TexelRect> missing(const TexelRect& window, const TexelRect& held, std::span<const TexelRect> stale)
+std::vector<io::TexelRect> missing(const io::TexelRect& window, const io::TexelRect& held, std::span<const io::TexelRect> stale)
 {
-    std::vector<TexelRect> parts = without(window, held);
-    TexelRect all;
-    for (const TexelRect& rect : stale)
+    std::vector<io::TexelRect> parts = without(window, held);
+    io::TexelRect all;
+    for (const io::TexelRect& rect : stale)
         all = around(all, common(rect, window));
     if (!all.empty()) parts.push_back(all);
-    const auto texels = [](const TexelRect& rect) { return double(rect.high.x - rect.low.x) * double(rect.high.y - rect.low.y); };
+    const auto texels = [](const io::TexelRect& rect) { return double(rect.high.x - rect.low.x) * double(rect.high.y - rect.low.y); };
     double sum = 0;
-    for (const TexelRect& part : parts)
+    for (const io::TexelRect& part : parts)
         sum += texels(part);
     return sum > kNearlyAll * texels(window) ? std::vector{window} : parts;
 }
@@ -97,6 +97,7 @@ const gl::Texture& ShadowPass::render(GpuFrame& gpu, Scenery& scenery, const Vie
     for (std::size_t i = 0; i < viewpoint.cascades.size(); ++i)
         update(gpu, scenery, viewpoint, i, settings);
     scenery.world.forgetTouched();
+    scenery.terrain.forgetTouched();
     glDisable(GL_SCISSOR_TEST);
     gpu.constants(VIEW_BINDING, viewpoint.view);
     gpu.bind({{SHADOW_UNIT, &m_maps}});
@@ -117,11 +118,12 @@ void ShadowPass::update(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpo
             .wind = {viewpoint.wind.towards, viewpoint.wind.speed, viewpoint.wind.gustiness}};
     if (layer.key.time) key.time = timeFor(index, viewpoint.time);
     if (!(key == layer.key)) layer.window = {};
-    std::vector<TexelRect> stale;
-    for (const glm::dvec4& sphere : scenery.world.touched())
-        stale.push_back(shadowOf(cascade, sphere, viewpoint.towardSun));
+    std::vector<io::TexelRect> stale;
+    for (const std::span<const glm::dvec4> spheres : {scenery.world.touched(), scenery.terrain.touched()})
+        for (const glm::dvec4& sphere : spheres)
+            stale.push_back(shadowOf(cascade, sphere, viewpoint.towardSun));
     bool sways = !layer.window.empty() && key.time;
-    for (const TexelRect& part : missing(cascade.window(), layer.window, stale))
+    for (const io::TexelRect& part : missing(cascade.window(), layer.window, stale))
         for (const CascadePiece& piece : piecesOf(cascade, part, viewpoint.eye.position, viewpoint.towardSun))
             sways |= draw(gpu, scenery, viewpoint, cascade, layer, piece, settings);
     layer.key = key;

@@ -29,7 +29,7 @@ private:
     struct Layer {
         gl::Framebuffer target;
         Key key;
-        TexelRect window; // that it holds
+        io::TexelRect window; // that it holds
     };
     void resize(int resolution, int layers);
     void update(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, std::size_t index, const Settings& settings);

@@ -87,7 +87,7 @@ BareForest::BareForest(const io::Scene& scene, const io::Assets& assets, glm::iv
         addModel(*assets.models[slot], slot);
     placeCopies(scene, assets);
     m_shadowFromWorld = shadowMatrix(m_bounds, m_towardSun);
-    if (assets.heights) addGround(*assets.heights, assets);
+    if (scene.heights()) addGround(*scene.heights(), assets);
     makeTargets();
 }
 

@@ -17,7 +17,7 @@ TEST(Culling, SameIdsAndSamePictureWithAndWithout)
     std::uniform_real_distribution<double> place{-200, 200}, turn{-180, 180}, tilt{-60, 25};
     for (int i = 0; i < 6; ++i) {
         io::Camera camera{.eye = {place(random), 0, place(random)}, .yaw = float(turn(random)), .pitch = float(tilt(random))};
-        camera.eye.y = world.assets.heights->height(camera.eye.x, camera.eye.z).value_or(0) + 12;
+        camera.eye.y = world.scene.heights()->height(camera.eye.x, camera.eye.z).value_or(0) + 12;
         renderer::FrameInput in = test::frame(kSize, camera);
         test::shared().render(in);
         const auto ids = test::shared().readIds({0, 0}, kSize);

@@ -36,7 +36,7 @@ TEST_P(Freeze, WhatIsDrawnStaysWhileTheCameraFliesOn)
 {
     test::TestWorld world = test::makeWorld({.heightMap = {257, 257}, .trees = 200, .boxes = 60});
     test::load(world);
-    const double ground = *world.assets.heights->height(0, 0);
+    const double ground = *world.scene.heights()->height(0, 0);
     renderer::FrameInput in = looking({.eye = {0, ground + 6, 0}, .yaw = 30, .pitch = -5}, GetParam());
     renderUntilCounted(in);
     const renderer::FrameStats before = test::shared().stats();

@@ -16,7 +16,7 @@ test::TestWorld tower(bool castShadow)
 {
     test::TestWorld world;
     world.scene.exchange(io::Terrain{.heightMap = "terrain/flat.png"});
-    world.assets.heights = test::heightMap({201, 201}, 1, [](double, double) { return 0.0; });
+    world.scene.exchange(test::heightMap({201, 201}, 1, [](double, double) { return 0.0; }));
     const io::TemplateId id = test::addTemplate(world, "tower", test::box({4, 20, 4}, {0.6f, 0.6f, 0.6f, 1}));
     io::Template changed = *world.scene.find(id);
     changed.castShadow = castShadow;
@@ -127,7 +127,7 @@ TEST(Cascades, CoverTheirSlices)
             const glm::dvec3 relative = (eye.forward + eye.right * (eye.tanHalfFov * eye.aspect * (corner & 1 ? 1 : -1)) +
                                          eye.up * (eye.tanHalfFov * (corner & 2 ? 1 : -1))) * depth;
             const glm::dvec3 place{cascade.textureFromRelative * glm::dvec4{relative, 1}};
-            const renderer::Texel low = cascade.low % std::int64_t(cascade.resolution);
+            const io::Texel low = cascade.low % std::int64_t(cascade.resolution);
             for (int axis = 0; axis < 2; ++axis) {
                 const double begin = double(low[axis] < 0 ? low[axis] + cascade.resolution : low[axis]) / cascade.resolution;
                 EXPECT_GE(place[axis], begin);
@@ -143,16 +143,16 @@ TEST(TexelRect, whatIsLeftCoversAllOnce)
     std::mt19937 random{7};
     std::uniform_int_distribution<int> at{-9, 9}, extent{0, 12};
     const auto rect = [&] {
-        const renderer::Texel low{at(random), at(random)};
-        return renderer::TexelRect{low, low + renderer::Texel{extent(random), extent(random)}};
+        const io::Texel low{at(random), at(random)};
+        return io::TexelRect{low, low + io::Texel{extent(random), extent(random)}};
     };
-    const auto holds = [](const renderer::TexelRect& r, int x, int y) {
+    const auto holds = [](const io::TexelRect& r, int x, int y) {
         return x >= r.low.x && x < r.high.x && y >= r.low.y && y < r.high.y;
     };
     for (int i = 0; i < 500; ++i) {
-        const renderer::TexelRect whole = rect(), hole = rect();
-        const auto rest = renderer::without(whole, hole);
-        const auto cut = renderer::cutAtMultiples(whole, 5);
+        const io::TexelRect whole = rect(), hole = rect();
+        const auto rest = io::without(whole, hole);
+        const auto cut = io::cutAtMultiples(whole, 5);
         for (int y = -10; y < 24; ++y)
             for (int x = -10; x < 24; ++x) {
                 const auto count = [&](const auto& parts) {
@@ -161,7 +161,7 @@ TEST(TexelRect, whatIsLeftCoversAllOnce)
                 ASSERT_EQ(count(rest), holds(whole, x, y) && !holds(hole, x, y));
                 ASSERT_EQ(count(cut), holds(whole, x, y));
             }
-        for (const renderer::TexelRect& piece : cut) // inside of one copy of the texture
+        for (const io::TexelRect& piece : cut) // inside of one copy of the texture
             for (int axis = 0; axis < 2; ++axis)
                 ASSERT_EQ((piece.low[axis] + 100) / 5, (piece.high[axis] + 99) / 5);
     }
@@ -172,7 +172,7 @@ test::TestWorld townOnHills()
 {
     test::TestWorld world;
     world.scene.exchange(io::Terrain{.heightMap = "terrain/hills.png"});
-    world.assets.heights = test::heightMap({257, 257}, 4, [](double x, double z) { return 12 * std::sin(x * 0.02) * std::cos(z * 0.017); });
+    world.scene.exchange(test::heightMap({257, 257}, 4, [](double x, double z) { return 12 * std::sin(x * 0.02) * std::cos(z * 0.017); }));
     const io::TemplateId id = test::addTemplate(world, "tower", test::box({4, 20, 4}, {0.6f, 0.6f, 0.6f, 1}));
     std::mt19937 random{5};
     std::uniform_real_distribution<double> place{-200, 200};

@@ -21,7 +21,7 @@ int holes(const io::HeightMap& map, const io::Camera& camera)
 {
     test::TestWorld world;
     world.scene.exchange(io::Terrain{.heightMap = "terrain/map.png"});
-    world.assets.heights = std::make_shared<io::HeightMap>(map);
+    world.scene.exchange(std::make_shared<const io::HeightMap>(map));
     test::load(world);
     renderer::FrameInput in = test::frame(kSize, camera);
     in.settings.shadows = false;
@@ -56,17 +56,49 @@ TEST(Terrain, AnySizeIsDrawn)
     EXPECT_EQ(test::shared().glErrors(), 0u);
 }
 
+// A stroke of a brush: heights, normals with their mips, shadow maps and the mountains' shadow follow, and nothing else does.
+TEST(Terrain, APartThatChangedIsDrawnAsIfAllWereNew)
+{
+    const auto before = test::heightMap({700, 601}, 1, test::hills);
+    io::HeightGrid hill{.size = {90, 70}};
+    for (int z = 0; z < 70; ++z)
+        for (int x = 0; x < 90; ++x)
+            hill.metres.push_back(before->at(480 + x, 240 + z) + 25 * std::sin(x * 0.035f) * std::sin(z * 0.045f));
+    const glm::ivec2 at{480, 240}; // across four tiles' corner
+    const auto after = std::make_shared<const io::HeightMap>(before->with(hill, at));
+    const io::Camera camera{.eye = {100, before->max + 30.0, 60}, .yaw = -70, .pitch = -25};
+    renderer::FrameInput in = test::frame(kSize, camera);
+    in.settings.clouds = false;
+
+    test::TestWorld world;
+    world.scene.exchange(io::Terrain{.heightMap = "terrain/map.png", .origin = before->origin});
+    world.scene.exchange(before);
+    test::load(world);
+    test::shared().render(in);
+    const io::Image untouched = test::shared().readPicture();
+    world.scene.exchange(after);
+    test::shared().update(world.scene, world.assets, {.heights = {{at, at + hill.size}}});
+    test::shared().render(in);
+    const io::Image followed = test::shared().readPicture();
+    test::load(world);
+    test::shared().render(in);
+    const io::Image fresh = test::shared().readPicture();
+    EXPECT_NE(untouched.bytes, fresh.bytes);
+    EXPECT_EQ(followed.bytes, fresh.bytes);
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
 // A map of 16 m, so that the position buffer, which repeats each 16 m, says plainly where a pixel's ground lies.
 TEST(Terrain, NearTheEyeItIsTheTrianglesOfTheMap)
 {
-    auto map = std::make_shared<io::HeightMap>(*test::heightMap({17, 17}, 1, [](double x, double z) {
+    const auto centred = test::heightMap({17, 17}, 1, [](double x, double z) {
         const unsigned h = (unsigned(int(x) + 99) * 73856093u ^ unsigned(int(z) + 99) * 19349663u) * 2654435761u;
         return 5 + double(h >> 16) / 65536.0 * 2.5;
-    }));
-    map->origin = {0, 0};
+    });
+    const auto map = std::make_shared<const io::HeightMap>(centred->placed(1, {0, 0}));
     test::TestWorld world;
     world.scene.exchange(io::Terrain{.heightMap = "terrain/map.png"});
-    world.assets.heights = map;
+    world.scene.exchange(map);
     test::load(world);
     const io::Camera camera{.eye = {8.3, 19, 8.1}, .yaw = 20, .pitch = -84, .fov = 35};
     renderer::FrameInput in = test::frame(kSize, camera);

@@ -103,7 +103,7 @@ struct Windy {
     {
         if (ground) {
             world.scene.exchange(io::Terrain{.heightMap = "terrain/flat.png"});
-            world.assets.heights = test::heightMap({201, 201}, 2, [](double, double) { return 0.0; });
+            world.scene.exchange(test::heightMap({201, 201}, 2, [](double, double) { return 0.0; }));
         }
         tree = test::addObject(world, sways("tree", test::treeModel(), amount), {});
         const io::TemplateId still = test::addTemplate(world, "box", test::box({2, 4, 2}, {0.6f, 0.5f, 0.4f, 1}));

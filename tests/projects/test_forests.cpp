@@ -50,8 +50,8 @@ TEST_P(Forest, HoldsExactlyTheTriangles)
 TEST_P(Forest, CoversASquareKilometreAndIsDenserInTheMiddle)
 {
     const tests::Shipped& world = tests::shipped(GetParam().name);
-    EXPECT_EQ(world.assets.heights->size, glm::ivec2{1025});
-    EXPECT_EQ(world.assets.heights->metresPerTexel, 1);
+    EXPECT_EQ(world.scene().heights()->size, glm::ivec2{1025});
+    EXPECT_EQ(world.scene().heights()->metresPerTexel, 1);
     std::size_t inner = 0, outer = 0;
     for (const io::Object& object : world.scene().objects()) {
         const double away = glm::length(glm::dvec2{object.transform.position.x, object.transform.position.z});

@@ -90,9 +90,9 @@ TEST(Making, ValleyTreesAreLightEnoughForSoftwareDrawing)
 
 TEST(Making, DoublingKeepsTheOldTexels)
 {
-    io::HeightMap coarse = make::blankHeights(9, 2);
+    io::HeightGrid coarse = make::blankHeights(9, 2);
     make::fill(coarse, [](glm::vec2 p) { return make::noise(p, 3) * 5; });
-    const io::HeightMap fine = make::doubled(coarse);
+    const io::HeightGrid fine = make::doubled(coarse);
     EXPECT_EQ(fine.size, glm::ivec2{17});
     EXPECT_EQ(fine.origin, coarse.origin);
     for (int z = 0; z < 9; ++z)

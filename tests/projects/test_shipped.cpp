@@ -15,11 +15,11 @@ TEST_P(EveryWorld, OpensWithoutAComplaint)
 TEST_P(EveryWorld, HasGroundLayersAndACameraAboveIt)
 {
     const tests::Shipped& world = tests::shipped(GetParam());
-    ASSERT_NE(world.assets.heights, nullptr);
+    ASSERT_NE(world.scene().heights(), nullptr);
     EXPECT_GE(world.scene().terrain().layers.size(), 4u);
     EXPECT_FALSE(world.scene().cameras().empty());
     for (const io::Camera& camera : world.scene().cameras()) {
-        const auto ground = world.assets.heights->height(camera.eye.x, camera.eye.z);
+        const auto ground = world.scene().heights()->height(camera.eye.x, camera.eye.z);
         ASSERT_TRUE(ground) << camera.name << " looks from outside the world";
         EXPECT_GT(camera.eye.y, *ground + 1) << camera.name;
     }
@@ -33,7 +33,7 @@ TEST_P(EveryWorld, FliesAboveTheGroundAllAlongItsPaths)
         EXPECT_LE(io::duration(path), 30) << path.name;
         for (double t = 0; t < io::duration(path); t += 0.1) {
             const glm::dvec3 eye = io::sample(path, t).eye;
-            const auto ground = world.assets.heights->height(eye.x, eye.z);
+            const auto ground = world.scene().heights()->height(eye.x, eye.z);
             ASSERT_TRUE(ground) << path.name << " leaves the world at " << t << " s";
             EXPECT_GT(eye.y, *ground + 2) << path.name << " at " << t << " s";
         }

@@ -13,7 +13,7 @@ const tests::Shipped& valley()
 
 TEST(Valley, IsTwoKilometresWideAtOneMetre)
 {
-    const io::HeightMap& heights = *valley().assets.heights;
+    const io::HeightMap& heights = *valley().scene().heights();
     EXPECT_EQ(heights.size, glm::ivec2{2049});
     EXPECT_EQ(heights.metresPerTexel, 1);
     EXPECT_EQ(heights.origin, glm::dvec2{-1024});
@@ -53,7 +53,7 @@ TEST(Valley, EverythingStandsOnTheGround)
         if (!what || object.name == "Axe") continue; // the axe is struck into its block
         const io::Model* model = valley().assets.model(object.templateId);
         const float bottom = what->model.empty() ? 0 : model->bounds.min.y;
-        const io::HeightMap& heights = *valley().assets.heights;
+        const io::HeightMap& heights = *valley().scene().heights();
         const glm::dquat turn = io::orientation(object.transform.rotation);
         const glm::dvec3 foot = object.transform.position + turn * glm::dvec3{0, bottom * object.transform.scale.y, 0};
         const glm::dvec3 up =

@@ -103,6 +103,15 @@ Keys computedKeys()
     addFields<io::TerrainLayer>(keys, "layer.");
     addFields<io::Transform>(keys, "object.");
     addFields<renderer::Settings>(keys, "render.");
+    for (const std::string_view tool : enumNames(editor::BrushTool::Raise)) {
+        keys.insert("brush." + std::string{tool});
+        keys.insert("brush_step." + std::string{tool});
+    }
+    for (std::size_t tool = 0; tool < enumNames(editor::BrushTool::Raise).size(); ++tool) { // each shows its own
+        editor::Brush brush{.tool = editor::BrushTool(tool), .levelGiven = true};
+        KeysOfFields visitor{"brush.", "", keys};
+        fields(visitor, brush);
+    }
     for (const std::string_view name : enumNames(renderer::Show::Final))
         keys.insert("show." + std::string{name});
     const test::Rig rig;

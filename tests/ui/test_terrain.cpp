@@ -28,6 +28,8 @@ struct TerrainPanel : testing::Test {
         ASSERT_TRUE(rig->editor->open(project));
         rig->editor->workspace().bringToFront("terrain");
         rig->frame(3);
+        rig->click("Shape", "section"); // makes room
+        rig->frame(3);
     }
     const io::Terrain& terrain() { return rig->document().scene().terrain(); }
     const std::vector<std::string> names() { return rig->document().history().names(); }
@@ -35,26 +37,26 @@ struct TerrainPanel : testing::Test {
 
 TEST_F(TerrainPanel, HeightsAreDraggedAndUndone)
 {
-    const auto before = rig->document().assets().heights;
+    const auto before = rig->document().scene().heights();
     const double highest = terrain().maxHeight;
     const ImVec2 field = rig->at("Highest", "number");
     rig->drag(field, {field.x + 60, field.y});
     EXPECT_GT(terrain().maxHeight, highest);
-    EXPECT_GT(rig->document().assets().heights->max, before->max);
+    EXPECT_GT(rig->document().scene().heights()->max, before->max);
     EXPECT_EQ(names(), (std::vector<std::string>{"Change Highest"}));
     rig->key(editor::ctrl(Key::Z));
     EXPECT_EQ(terrain().maxHeight, highest);
-    EXPECT_EQ(rig->document().assets().heights->max, before->max);
+    EXPECT_EQ(rig->document().scene().heights()->max, before->max);
 }
 
 TEST_F(TerrainPanel, ALayersRuleIsDraggedWithoutReadingAFile)
 {
-    const auto heights = rig->document().assets().heights;
+    const auto heights = rig->document().scene().heights();
     rig->click("grass", "section");
     const ImVec2 field = rig->at("Slope Y", "number");
     rig->drag(field, {field.x - 40, field.y});
     EXPECT_LT(terrain().layers[0].slope.y, 90);
-    EXPECT_EQ(rig->document().assets().heights, heights);
+    EXPECT_EQ(rig->document().scene().heights(), heights);
     EXPECT_EQ(names().size(), 1u);
 }
 

@@ -42,7 +42,7 @@ TestWorld oracleWorld(int objects)
     TestWorld world;
     io::Terrain terrain;
     terrain.heightMap = "terrain/hills.png";
-    world.assets.heights = heightMap({257, 257}, 2, hills);
+    world.scene.exchange(heightMap({257, 257}, 2, hills));
     world.scene.exchange(std::move(terrain));
     const auto add = [&](const char* name, std::shared_ptr<const io::Model> model) { return addTemplate(world, name, std::move(model)); };
     const io::TemplateId crate = add("crate", box({1, 1, 1}, glm::vec4{0.5f})), post = add("post", box({0.2f, 6, 0.2f}, glm::vec4{0.4f})),
@@ -58,7 +58,7 @@ TestWorld oracleWorld(int objects)
     for (int i = 0; i < objects; ++i) {
         io::Transform t;
         t.position = {place(random), 0, place(random)};
-        t.position.y = world.assets.heights->height(t.position.x, t.position.z).value_or(0);
+        t.position.y = world.scene.heights()->height(t.position.x, t.position.z).value_or(0);
         t.rotation.y = float(turn(random));
         if (i % 100 < 97 && chance(random) < 0.5) t.rotation = {float(turn(random)), t.rotation.y, float(turn(random))};
         t.scale = {float(size(random)), float(size(random)), float(size(random))};
@@ -72,7 +72,7 @@ io::Camera cameraIn(const TestWorld& world, std::mt19937& random)
 {
     std::uniform_real_distribution<double> place{-220, 220}, turn{-180, 180}, tilt{-40, 15}, above{1.5, 25}, fov{25, 100};
     io::Camera camera{.eye = {place(random), 0, place(random)}, .yaw = float(turn(random)), .pitch = float(tilt(random))};
-    camera.eye.y = world.assets.heights->height(camera.eye.x, camera.eye.z).value_or(0) + above(random);
+    camera.eye.y = world.scene.heights()->height(camera.eye.x, camera.eye.z).value_or(0) + above(random);
     camera.fov = float(fov(random));
     return camera;
 }

@@ -94,21 +94,11 @@ double hills(double x, double z)
 
 std::shared_ptr<const io::HeightMap> heightMap(glm::ivec2 size, double metresPerTexel, double (*height)(double, double))
 {
-    auto map = std::make_shared<io::HeightMap>();
-    map->size = size;
-    map->metresPerTexel = metresPerTexel;
-    map->origin = -glm::dvec2{size - 1} * metresPerTexel * 0.5;
-    map->metres.resize(std::size_t(size.x) * size.y);
-    map->min = 1e30f;
-    map->max = -1e30f;
+    io::HeightGrid grid{.size = size, .metresPerTexel = metresPerTexel, .origin = -glm::dvec2{size - 1} * metresPerTexel * 0.5};
     for (int z = 0; z < size.y; ++z)
-        for (int x = 0; x < size.x; ++x) {
-            const auto h = float(height(map->origin.x + x * metresPerTexel, map->origin.y + z * metresPerTexel));
-            map->metres[std::size_t(z) * size.x + x] = h;
-            map->min = std::min(map->min, h);
-            map->max = std::max(map->max, h);
-        }
-    return map;
+        for (int x = 0; x < size.x; ++x)
+            grid.metres.push_back(float(height(grid.origin.x + x * metresPerTexel, grid.origin.y + z * metresPerTexel)));
+    return std::make_shared<const io::HeightMap>(grid);
 }
 
 std::shared_ptr<const io::Model> box(const glm::vec3& size, const glm::vec4& colour)
@@ -181,7 +171,7 @@ TestWorld makeWorld(const WorldOptions& options)
     io::Terrain terrain;
     if (options.heightMap.x > 0) {
         terrain.heightMap = "terrain/hills.png";
-        world.assets.heights = heightMap(options.heightMap, options.metresPerTexel, hills);
+        world.scene.exchange(heightMap(options.heightMap, options.metresPerTexel, hills));
         addLayers(terrain, world.assets);
     }
     world.scene.exchange(std::move(terrain));
@@ -193,7 +183,7 @@ TestWorld makeWorld(const WorldOptions& options)
     for (int i = 0; i < options.trees + options.boxes; ++i) {
         io::Transform t;
         t.position = {place(random), 0, place(random)};
-        t.position.y = world.assets.heights ? world.assets.heights->height(t.position.x, t.position.z).value_or(0) : 0;
+        t.position.y = world.scene.heights() ? world.scene.heights()->height(t.position.x, t.position.z).value_or(0) : 0;
         t.rotation.y = float(turn(random));
         t.scale = glm::vec3{float(size(random))};
         addObject(world, i < options.trees ? tree : block, t);

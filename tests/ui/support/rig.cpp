@@ -24,9 +24,8 @@ std::string labels(const io::Value& map)
 
 std::shared_ptr<const io::HeightMap> flatGround()
 {
-    io::HeightMap map{.size = {65, 65}, .metresPerTexel = 4, .origin = {-128, -128}};
-    map.metres.assign(65 * 65, 0);
-    return std::make_shared<const io::HeightMap>(std::move(map));
+    return std::make_shared<const io::HeightMap>(
+        io::HeightGrid{.size = {65, 65}, .metres = std::vector<float>(65 * 65, 0), .metresPerTexel = 4, .origin = {-128, -128}});
 }
 
 void mapKeys(ImGuiIO& io)
@@ -76,7 +75,7 @@ std::unique_ptr<editor::Document> crates(int count)
     io::Assets assets;
     assets.models = {std::make_shared<io::Model>(io::boxModel({2, 2, 2}, {1, 1, 1, 1})),
                      std::make_shared<io::Model>(io::boxModel({1, 1, 1}, {1, 1, 1, 1}))};
-    assets.heights = flatGround();
+    world.scene.exchange(flatGround());
     return std::make_unique<editor::Document>(std::move(world), std::move(assets));
 }
 

@@ -131,8 +131,8 @@ TEST(Arrange, ScatteredCopiesKeepTheirDistanceAndRepeatBySeed)
         const io::Object& one = document->scene().at(id);
         EXPECT_LE(glm::length(flat(one)), 60.0);
         EXPECT_NEAR(boundsOf(*document, std::vector{id}).min.y,
-                    *document->assets().heights->height(flat(one).x, flat(one).y), 0.01);
-        EXPECT_GT(document->assets().heights->normal(flat(one).x, flat(one).y)->y, std::cos(glm::radians(35.1)));
+                    *document->scene().heights()->height(flat(one).x, flat(one).y), 0.01);
+        EXPECT_GT(document->scene().heights()->normal(flat(one).x, flat(one).y)->y, std::cos(glm::radians(35.1)));
         for (const io::Object& other : document->scene().objects())
             if (other.id != id && glm::distance(flat(one), flat(other)) + 1e-9 < footprint(one) + footprint(other))
                 FAIL() << io::number(id) << " stands in " << io::number(other.id);

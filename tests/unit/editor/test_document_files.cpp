@@ -1,11 +1,13 @@
 #include "tests/unit/editor/worlds.h"
 
 #include "editor/arrange.h"
+#include "editor/brush.h"
 #include "io/files/atomic_file.h"
 #include "io/files/image_file.h"
 #include "io/files/png_file.h"
 #include "io/files/model_file.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -145,16 +147,72 @@ TEST_F(DocumentFiles, ATemplatesModelFollowsItsFileNameThroughUndo)
 
 TEST_F(DocumentFiles, TheGroundFollowsItsSettingsThroughUndo)
 {
-    EXPECT_NEAR(*m_document->assets().heights->height(0, 0), 10, 0.01);
+    EXPECT_NEAR(*m_document->scene().heights()->height(0, 0), 10, 0.01);
     io::Terrain terrain = m_document->scene().terrain();
     terrain.maxHeight = 40;
     setTerrain(*m_document, "Height", terrain);
-    EXPECT_NEAR(*m_document->assets().heights->height(0, 0), 40, 0.01);
+    EXPECT_NEAR(*m_document->scene().heights()->height(0, 0), 40, 0.01);
     terrain.heightMap = "";
     setTerrain(*m_document, "No ground", terrain);
-    EXPECT_EQ(m_document->assets().heights, nullptr);
+    EXPECT_EQ(m_document->scene().heights(), nullptr);
     m_document->goTo(0);
-    EXPECT_NEAR(*m_document->assets().heights->height(0, 0), 10, 0.01);
+    EXPECT_NEAR(*m_document->scene().heights()->height(0, 0), 10, 0.01);
+}
+
+TEST_F(DocumentFiles, ShapedGroundIsSavedWithTheRestAndComesBack)
+{
+    const fs::path file = m_document->project().folder / m_document->scene().terrain().heightMap;
+    const auto bytes = io::readFile(file);
+    ASSERT_TRUE(m_document->save());
+    EXPECT_EQ(*io::readFile(file), *bytes); // nothing was shaped: not a byte is written
+    EXPECT_FALSE(m_document->modified());
+
+    const auto shape = [&](float amount) {
+        const auto patch = dabOn(*m_document->scene().heights(), {.radius = 2}, {.centre = {1, 1}, .amount = amount});
+        ASSERT_TRUE(patch);
+        setHeights(*m_document, "Raise", std::make_shared<const io::HeightMap>(m_document->scene().heights()->with(patch->heights, patch->at)),
+                   patch->rect());
+    };
+    shape(-3);
+    EXPECT_TRUE(m_document->modified());
+    const auto saved = m_document->save();
+    ASSERT_TRUE(saved);
+    EXPECT_NE(std::ranges::find(saved->written, fs::path{m_document->scene().terrain().heightMap}), saved->written.end());
+    const double step = (m_document->scene().terrain().maxHeight - m_document->scene().terrain().minHeight) / 65535;
+    const double height = *m_document->scene().heights()->height(1, 1);
+    ASSERT_TRUE(m_document->reload());
+    EXPECT_NEAR(*m_document->scene().heights()->height(1, 1), height, step);
+    EXPECT_FALSE(m_document->modified());
+
+    shape(500); // above what the file could hold: its range grows, and nothing is cut off
+    const double top = *m_document->scene().heights()->height(1, 1);
+    ASSERT_TRUE(m_document->save());
+    EXPECT_GE(m_document->scene().terrain().maxHeight, top);
+    EXPECT_NEAR(*m_document->scene().heights()->height(1, 1), top, 1e-3);
+    ASSERT_TRUE(m_document->reload());
+    EXPECT_NEAR(*m_document->scene().heights()->height(1, 1), top, 0.02);
+}
+
+TEST_F(DocumentFiles, ShapedGroundIsScaledAndUndone)
+{
+    const auto patch = dabOn(*m_document->scene().heights(), {.radius = 3}, {.centre = {1, 1}, .amount = -5});
+    setHeights(*m_document, "Lower", std::make_shared<const io::HeightMap>(m_document->scene().heights()->with(patch->heights, patch->at)),
+               patch->rect());
+    const auto shaped = m_document->scene().heights();
+    io::Terrain terrain = m_document->scene().terrain();
+    const double low = terrain.minHeight, factor = 3;
+    terrain.maxHeight = low + (terrain.maxHeight - low) * factor;
+    setTerrain(*m_document, "Height", terrain);
+    EXPECT_NEAR(*m_document->scene().heights()->height(1, 1), low + (*shaped->height(1, 1) - low) * factor, 1e-4);
+    m_document->undo();
+    EXPECT_TRUE(m_document->scene().heights()->sameHeights(*shaped));
+    terrain.metresPerTexel = 7;
+    terrain.maxHeight = m_document->scene().terrain().maxHeight;
+    setTerrain(*m_document, "Wider", terrain);
+    EXPECT_EQ(m_document->scene().heights()->metresPerTexel, 7);
+    m_document->goTo(0);
+    EXPECT_NE(m_document->scene().heights()->metresPerTexel, 7);
+    EXPECT_FALSE(m_document->scene().heights()->sameHeights(*shaped));
 }
 
 TEST_F(DocumentFiles, WhatCannotBeOpenedIsAnErrorWithItsPlace)

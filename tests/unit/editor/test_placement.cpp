@@ -102,7 +102,7 @@ TEST(Placement, DroppedThingsStandOnTheGroundOrOnWhatIsBelow)
     EXPECT_EQ(dropped, (std::vector{ids[0], ids[1]})); // there is no ground under the last
     for (const io::ObjectId id : dropped) {
         const io::Transform& t = document->scene().at(id).transform;
-        EXPECT_NEAR(t.position.y, *document->assets().heights->height(t.position.x, t.position.z), 0.01);
+        EXPECT_NEAR(t.position.y, *document->scene().heights()->height(t.position.x, t.position.z), 0.01);
     }
     EXPECT_EQ(document->scene().at(ids[0]).transform.rotation, (glm::vec3{0, 30, 0}));
     EXPECT_EQ(document->scene().at(ids[0]).transform.position.x, 10);
@@ -150,7 +150,7 @@ TEST(Placement, AGroupDropsAsOnePiece)
         EXPECT_NEAR(document->scene().at(ids[std::size_t(i)]).transform.position.y -
                         document->scene().at(ids[0]).transform.position.y,
                     i, 1e-9);
-    EXPECT_NEAR(boundsOf(*document, ids).min.y, *document->assets().heights->height(3, 0), 0.01);
+    EXPECT_NEAR(boundsOf(*document, ids).min.y, *document->scene().heights()->height(3, 0), 0.01);
 }
 
 TEST(Placement, LinesUpAlongAnAxis)

@@ -93,10 +93,8 @@ TEST(TerrainRay, GrazingRaysAndRaysAlongTheGridAgreeToo)
 
 TEST(TerrainRay, ARidgeOfOneTexelStopsEveryRay)
 {
-    auto map = std::make_shared<io::HeightMap>(*test::flat(257, 0));
-    for (int z = 0; z < 257; ++z)
-        map->metres[std::size_t(z) * 257 + 131] = 30;
-    map->max = 30;
+    const io::HeightGrid ridge{.size = {1, 257}, .metres = std::vector<float>(257, 30)};
+    const auto map = std::make_shared<const io::HeightMap>(test::flat(257, 0)->with(ridge, {131, 0}));
     const TerrainRay ground{map};
     Random random{3};
     for (int i = 0; i < 2000; ++i) {
@@ -108,16 +106,36 @@ TEST(TerrainRay, ARidgeOfOneTexelStopsEveryRay)
     }
 }
 
+TEST(TerrainRay, FollowsAPartThatChanged)
+{
+    const auto before = test::hills(130, 1.3, 5);
+    TerrainRay followed{before};
+    io::HeightGrid part{.size = {31, 17}};
+    for (int i = 0; i < 31 * 17; ++i)
+        part.metres.push_back(float(30 + i % 7));
+    const glm::ivec2 at{64, 99};
+    const auto after = std::make_shared<const io::HeightMap>(before->with(part, at));
+    followed.update(after, {at, at + part.size});
+    const TerrainRay fresh{after};
+    Random random{4};
+    for (int i = 0; i < 4000; ++i) {
+        const glm::dvec3 from{random.in(-90, 90), random.in(0, 60), random.in(-90, 90)};
+        const io::Ray ray{.origin = from, .direction = glm::normalize(glm::dvec3{random.in(-1, 1), random.in(-1, 0.2), random.in(-1, 1)})};
+        const auto a = followed.hit(ray), b = fresh.hit(ray);
+        ASSERT_EQ(a.has_value(), b.has_value());
+        ASSERT_EQ(a ? a->distance : 0, b ? b->distance : 0);
+    }
+}
+
 TEST(TerrainRay, OddMapsAndRaysAreNoTrouble)
 {
     EXPECT_FALSE(TerrainRay{nullptr}.hit({}).has_value());
-    auto tiny = std::make_shared<io::HeightMap>(*test::flat(2, 5));
+    const auto tiny = test::flat(2, 5);
     const TerrainRay ground{tiny};
     EXPECT_TRUE(ground.hit({.origin = {0.1, 9, 0.1}, .direction = {0, -1, 0}}).has_value());
     EXPECT_FALSE(ground.hit({.origin = {0.1, 9, 0.1}, .direction = {0, 1, 0}}).has_value());
     EXPECT_FALSE(ground.hit({.origin = {0.1, 9, 0.1}, .direction = {0, -1, 0}}, 3.9).has_value());
     EXPECT_FALSE(ground.hit({.origin = {0.1, 1, 0.1}, .direction = {0, 1, 0}}).has_value()); // its underside
     EXPECT_FALSE(ground.hit({.origin = {NAN, 9, 0.1}, .direction = {0, -1, 0}}).has_value());
-    tiny->size = {1, 1};
-    EXPECT_FALSE(TerrainRay{tiny}.hit({.origin = {0, 9, 0}, .direction = {0, -1, 0}}).has_value());
+    EXPECT_FALSE(TerrainRay{test::flat(1, 5)}.hit({.origin = {0, 9, 0}, .direction = {0, -1, 0}}).has_value());
 }

@@ -80,28 +80,20 @@ io::Model leafCard(float size)
 
 std::shared_ptr<const io::HeightMap> hills(int size, double metresPerTexel, std::uint64_t seed)
 {
-    auto map = std::make_shared<io::HeightMap>();
-    map->size = {size, size};
-    map->metresPerTexel = metresPerTexel;
-    map->origin = glm::dvec2{-0.5 * (size - 1) * metresPerTexel};
+    io::HeightGrid grid{.size = {size, size}, .metresPerTexel = metresPerTexel, .origin = glm::dvec2{-0.5 * (size - 1) * metresPerTexel}};
     editor::Random random{seed};
     const double phase = random.in(0, 10);
     for (int z = 0; z < size; ++z)
         for (int x = 0; x < size; ++x)
-            map->metres.push_back(float(12 * std::sin(x * 0.09 + phase) * std::cos(z * 0.07) + random.in(0, 1.5)));
-    map->min = *std::min_element(map->metres.begin(), map->metres.end());
-    map->max = *std::max_element(map->metres.begin(), map->metres.end());
-    return map;
+            grid.metres.push_back(float(12 * std::sin(x * 0.09 + phase) * std::cos(z * 0.07) + random.in(0, 1.5)));
+    return std::make_shared<const io::HeightMap>(grid);
 }
 
 std::shared_ptr<const io::HeightMap> flat(int size, float height)
 {
-    auto map = std::make_shared<io::HeightMap>();
-    map->size = {size, size};
-    map->metres.assign(std::size_t(size) * size, height);
-    map->origin = glm::dvec2{-0.5 * (size - 1)};
-    map->min = map->max = height;
-    return map;
+    return std::make_shared<const io::HeightMap>(io::HeightGrid{.size = {size, size},
+                                                                .metres = std::vector<float>(std::size_t(size) * size, height),
+                                                                .origin = glm::dvec2{-0.5 * (size - 1)}});
 }
 
 io::Transform randomTransform(editor::Random& random, double extent)
@@ -132,7 +124,7 @@ std::unique_ptr<editor::Document> forest(int count, std::uint64_t seed, bool wit
         world.scene.exchange(world.scene.freshId(), io::Object{.templateId = io::TemplateId(1 + random.bits() % 4),
                                                                .transform = randomTransform(random, 200)});
     world.scene.exchange(std::vector<io::Camera>{{.name = "Lookout", .eye = {0, 60, 200}, .pitch = -15}});
-    if (withGround) assets.heights = hills(257, 2, seed);
+    if (withGround) world.scene.exchange(hills(257, 2, seed));
     return std::make_unique<editor::Document>(std::move(world), std::move(assets));
 }
 

@@ -46,7 +46,7 @@ World sampleWorld(const fs::path& folder)
 void writeHeavyFiles(const fs::path& folder)
 {
     put(folder / "models/box.glb", *encodeGlb(boxModel(glm::vec3{1}, glm::vec4{1})));
-    HeightMap map{.size = {4, 4}, .metres = std::vector<float>(16, 5)};
+    HeightGrid map{.size = {4, 4}, .metres = std::vector<float>(16, 5)};
     ASSERT_TRUE(writeHeightMap16(folder / "terrain/h.png", map, -10, 10));
     Image grass{.size = {2, 2}, .channels = 3, .bytes = std::vector<std::byte>(12)};
     fs::create_directories(folder / "textures");
@@ -354,8 +354,8 @@ TEST(Assets, AreReadAndShared)
     ASSERT_EQ(assets->models.size(), 3u);
     EXPECT_EQ(assets->model(scene.findTemplate("box")), assets->model(scene.findTemplate("twin")));
     EXPECT_EQ(assets->model(scene.findTemplate("marker"))->bounds.size(), glm::vec3(1, 3, 1));
-    ASSERT_NE(assets->heights, nullptr);
-    EXPECT_NEAR(*assets->heights->height(1, 1), 5, 1e-3);
+    ASSERT_NE(opened.world->scene.heights(), nullptr);
+    EXPECT_NEAR(*opened.world->scene.heights()->height(1, 1), 5, 1e-3);
     ASSERT_EQ(assets->layers.size(), 1u);
     EXPECT_NE(assets->layers[0].colour, nullptr);
     EXPECT_EQ(assets->layers[0].normal, nullptr);
@@ -375,7 +375,7 @@ TEST(Assets, MissingOnesHaveStandIns)
     EXPECT_EQ(errorsIn(opened.complaints), 3) << listed(opened.complaints);
     for (const auto& model : assets->models)
         ASSERT_NE(model, nullptr);
-    EXPECT_EQ(assets->heights, nullptr);
+    EXPECT_EQ(opened.world->scene.heights(), nullptr);
     EXPECT_EQ(assets->layers[0].colour, nullptr);
 }
 

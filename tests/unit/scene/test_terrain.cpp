@@ -1,4 +1,4 @@
-#include "io/scene/terrain.h"
+#include "io/scene/height_map.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,7 @@ namespace {
 // 3 x 3 texels, 2 m apart, from (10, 20); one peak of 8 m in the middle.
 HeightMap peak()
 {
-    HeightMap map;
-    map.size = {3, 3};
-    map.metres = {0, 0, 0, 0, 8, 0, 0, 0, 0};
-    map.metresPerTexel = 2;
-    map.origin = {10, 20};
-    return map;
+    return HeightMap{HeightGrid{.size = {3, 3}, .metres = {0, 0, 0, 0, 8, 0, 0, 0, 0}, .metresPerTexel = 2, .origin = {10, 20}}};
 }
 
 TEST(HeightMap, IsExactAtTheTexels)
@@ -52,6 +47,48 @@ TEST(HeightMap, NormalsLeanAwayFromThePeak)
     EXPECT_GT(map.normal(13, 22)->x, 0);
     EXPECT_LT(map.normal(12, 21)->z, 0);
     EXPECT_TRUE(map.normal(10, 20));
+}
+
+HeightGrid counted(glm::ivec2 size)
+{
+    HeightGrid grid{.size = size};
+    for (int i = 0; i < size.x * size.y; ++i)
+        grid.metres.push_back(float(i % 9973));
+    return grid;
+}
+
+TEST(HeightMap, TilesHoldWhatTheRowsHeld)
+{
+    for (const glm::ivec2 size : {glm::ivec2{2, 2}, {512, 512}, {513, 40}, {700, 1201}}) {
+        const HeightGrid grid = counted(size);
+        const HeightMap map{grid};
+        for (int z = 0; z < size.y; ++z)
+            for (int x = 0; x < size.x; ++x)
+                ASSERT_EQ(map.at(x, z), grid.at(x, z));
+        EXPECT_EQ(map.read(map.texels()).metres, grid.metres);
+        EXPECT_EQ(map.min, *std::min_element(grid.metres.begin(), grid.metres.end()));
+        EXPECT_EQ(map.max, *std::max_element(grid.metres.begin(), grid.metres.end()));
+    }
+}
+
+TEST(HeightMap, AChangeSharesTheTilesThatItDoesNotTouch)
+{
+    const HeightMap map{counted({1100, 1100})};
+    HeightGrid part{.size = {30, 20}, .metres = std::vector<float>(600, -7)};
+    const HeightMap changed = map.with(part, {500, 100}); // across two tiles
+    for (int z = 0; z < 3; ++z)
+        for (int x = 0; x < 3; ++x)
+            EXPECT_EQ(changed.tile({x, z}) == map.tile({x, z}), z != 0 || x == 2) << x << ' ' << z;
+    EXPECT_EQ(changed.at(500, 100), -7);
+    EXPECT_EQ(changed.at(529, 119), -7);
+    EXPECT_EQ(changed.at(530, 119), map.at(530, 119));
+    EXPECT_EQ(changed.min, -7);
+    EXPECT_FALSE(changed.sameHeights(map));
+    EXPECT_TRUE(changed.with(map.read({{500, 100}, {530, 120}}), {500, 100}).sameHeights(map));
+    const HeightMap edge = map.with(part, {1090, -10}); // what lies beyond is left out
+    EXPECT_EQ(edge.at(1099, 9), -7);
+    EXPECT_EQ(edge.at(1099, 10), map.at(1099, 10));
+    EXPECT_EQ(edge.at(1089, 0), map.at(1089, 0));
 }
 
 } // namespace

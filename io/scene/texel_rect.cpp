@@ -1,8 +1,8 @@
-#include "renderer/texel_rect.h"
+#include "io/scene/texel_rect.h"
 
 #include <algorithm>
 
-namespace renderer {
+namespace io {
 namespace {
 
 std::int64_t floorTo(std::int64_t value, std::int64_t period)
@@ -52,4 +52,4 @@ std::vector<TexelRect> cutAtMultiples(const TexelRect& rect, std::int64_t period
     return pieces;
 }
 
-} // namespace renderer
+} // namespace io

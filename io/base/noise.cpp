@@ -1,8 +1,8 @@
-#include "projects/make/noise.h"
+#include "io/base/noise.h"
 
-#include "projects/make/random.h"
+#include "io/base/random.h"
 
-namespace make {
+namespace io {
 namespace {
 
 int wrapped(int i, int period)
@@ -97,6 +97,45 @@ float ridged(glm::vec2 p, std::uint32_t seed, Octaves octaves)
     return sum / total;
 }
 
+float simplex(glm::vec2 p, std::uint32_t seed)
+{
+    constexpr float kSkew = 0.36602540f, kBack = 0.21132487f; // (sqrt(3) - 1) / 2, (3 - sqrt(3)) / 6
+    constexpr float kDiagonal = 0.70710678f;
+    constexpr glm::vec2 kSlopes[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {kDiagonal, kDiagonal}, {-kDiagonal, kDiagonal}, {kDiagonal, -kDiagonal}, {-kDiagonal, -kDiagonal}};
+    const glm::vec2 cell = glm::floor(p + (p.x + p.y) * kSkew);
+    const glm::vec2 a = p - cell + (cell.x + cell.y) * kBack;
+    const glm::vec2 step = a.x > a.y ? glm::vec2{1, 0} : glm::vec2{0, 1};
+    const auto corner = [&](const glm::vec2& offset, const glm::vec2& at) {
+        const float near = 0.5f - glm::dot(offset, offset);
+        if (near <= 0) return 0.0f;
+        return near * near * near * near * glm::dot(kSlopes[hash(int(at.x), int(at.y), seed) & 7], offset);
+    };
+    return 70 * (corner(a, cell) + corner(a - step + kBack, cell + step) + corner(a - 1.0f + 2 * kBack, cell + 1.0f));
+}
+
+float simplexFbm(glm::vec2 p, std::uint32_t seed, Octaves octaves)
+{
+    float sum = 0, weight = 1, total = 0;
+    for (int i = 0; i < octaves.count; ++i, weight *= octaves.gain, p *= 2.0f) {
+        sum += weight * simplex(p, seed + std::uint32_t(i) * 101u);
+        total += weight;
+    }
+    return sum / total;
+}
+
+float simplexRidged(glm::vec2 p, std::uint32_t seed, Octaves octaves)
+{
+    float sum = 0, weight = 1, total = 0, carry = 1;
+    for (int i = 0; i < octaves.count; ++i, weight *= octaves.gain, p *= 2.0f) {
+        const float crest = 1 - glm::min(1.0f, glm::abs(simplex(p, seed + std::uint32_t(i) * 101u)));
+        const float signal = crest * crest * carry;
+        carry = glm::clamp(signal * 1.6f, 0.0f, 1.0f);
+        sum += weight * signal;
+        total += weight;
+    }
+    return sum / total;
+}
+
 Cells cells(glm::vec2 p, std::uint32_t seed, glm::ivec2 period)
 {
     const glm::ivec2 home{glm::floor(p)};
@@ -116,4 +155,4 @@ Cells cells(glm::vec2 p, std::uint32_t seed, glm::ivec2 period)
     return result;
 }
 
-} // namespace make
+} // namespace io

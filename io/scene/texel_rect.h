@@ -1,4 +1,4 @@
-// Rectangles of texels that are counted from the world's origin, and what is left of one without another.
+// Rectangles of texels, and what is left of one without another.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <glm/gtc/type_precision.hpp>
 #include <vector>
 
-namespace renderer {
+namespace io {
 
 using Texel = glm::i64vec2;
 
@@ -26,4 +26,4 @@ std::vector<TexelRect> without(const TexelRect& whole, const TexelRect& hole);
 // no larger than the period.
 std::vector<TexelRect> cutAtMultiples(const TexelRect& rect, std::int64_t period);
 
-} // namespace renderer
+} // namespace io

@@ -1,0 +1,338 @@
+#include "editor/brush.h"
+
+#include "io/base/contract.h"
+#include "io/base/noise.h"
+#include "io/base/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+namespace editor {
+namespace {
+
+constexpr int kMostBlur = 24; // texels to a side; wider ones take longer than a frame
+constexpr int kOctaves = 5;
+
+// The ground under a brush with a margin around it, as it was.
+struct Under {
+    io::HeightGrid before;
+    glm::ivec2 low{0};  // of the inner part, in `before`
+    glm::ivec2 size{0}; // of it
+};
+
+std::optional<Under> under(const io::HeightMap& map, const glm::dvec2& low, const glm::dvec2& high, int margin, HeightPatch& patch)
+{
+    const io::Texel first{glm::ceil((low - map.origin) / map.metresPerTexel)}, last{glm::floor((high - map.origin) / map.metresPerTexel)};
+    const io::TexelRect inner = common({first, last + io::Texel{1}}, map.texels());
+    if (inner.empty()) return std::nullopt;
+    const io::TexelRect outer = common({inner.low - io::Texel{margin}, inner.high + io::Texel{margin}}, map.texels());
+    patch.at = inner.low;
+    patch.heights = map.read(inner);
+    return Under{map.read(outer), inner.low - outer.low, inner.high - inner.low};
+}
+
+float slopeAt(const io::HeightGrid& heights, int x, int z) // degrees
+{
+    const auto step = float(2 * heights.metresPerTexel);
+    const float dx = (heights.clampedAt(x + 1, z) - heights.clampedAt(x - 1, z)) / step;
+    const float dz = (heights.clampedAt(x, z + 1) - heights.clampedAt(x, z - 1)) / step;
+    return glm::degrees(std::atan(std::sqrt(dx * dx + dz * dz)));
+}
+
+// Where the brush may change the ground, softly at the borders of its ranges.
+float allowed(const Brush& brush, const io::HeightGrid& before, int x, int z)
+{
+    float share = 1;
+    if (brush.slope.x > 0 || brush.slope.y < 90) {
+        const float slope = slopeAt(before, x, z);
+        share *= std::clamp((slope - brush.slope.x) / 4 + 0.5f, 0.0f, 1.0f) * std::clamp((brush.slope.y - slope) / 4 + 0.5f, 0.0f, 1.0f);
+        if (brush.slope.x <= 0) share = std::clamp((brush.slope.y - slope) / 4 + 0.5f, 0.0f, 1.0f);
+        if (brush.slope.y >= 90) share = std::clamp((slope - brush.slope.x) / 4 + 0.5f, 0.0f, 1.0f);
+    }
+    const float metres = before.at(x, z);
+    return metres < brush.altitude.x || metres > brush.altitude.y ? 0.0f : share;
+}
+
+bool masked(const Brush& brush)
+{
+    return brush.slope.x > 0 || brush.slope.y < 90 || brush.altitude.x > -1e5f || brush.altitude.y < 1e5f;
+}
+
+// change(x, z, share): in texels of `before`; share of the dab there.
+template <class Change> void forTexels(const Under& ground, const Brush& brush, const Dab& dab, HeightPatch& patch, Change&& change)
+{
+    const bool mask = masked(brush);
+    const double texel = ground.before.metresPerTexel;
+    for (int row = 0; row < ground.size.y; ++row)
+        for (int column = 0; column < ground.size.x; ++column) {
+            const int x = ground.low.x + column, z = ground.low.y + row;
+            const glm::dvec2 place = ground.before.origin + glm::dvec2{x, z} * texel;
+            float share = fading(brush, float(glm::distance(place, dab.centre) / brush.radius));
+            if (share > 0 && mask) share *= allowed(brush, ground.before, x, z);
+            if (share > 0) patch.heights.at(column, row) = change(x, z, share);
+        }
+}
+
+// The mean of the squares around each texel, as sums along rows and then along columns.
+std::vector<float> blurred(const io::HeightGrid& heights, int reach)
+{
+    const glm::ivec2 size = heights.size;
+    std::vector<float> rows(heights.metres.size()), result(heights.metres.size());
+    const auto pass = [reach](const std::vector<float>& from, std::vector<float>& to, int count, int lines, std::size_t step, std::size_t lineStep) {
+        for (int line = 0; line < lines; ++line) {
+            const std::size_t first = std::size_t(line) * lineStep;
+            double sum = 0;
+            int low = 0, high = 0; // the sum is of [low, high)
+            for (int i = 0; i < count; ++i) {
+                for (; high < std::min(i + reach + 1, count); ++high)
+                    sum += double(from[first + std::size_t(high) * step]);
+                for (; low < i - reach; ++low)
+                    sum -= double(from[first + std::size_t(low) * step]);
+                to[first + std::size_t(i) * step] = float(sum / (high - low));
+            }
+        }
+    };
+    pass(heights.metres, rows, size.x, size.y, 1, std::size_t(size.x));
+    pass(rows, result, size.y, size.x, std::size_t(size.x), 1);
+    return result;
+}
+
+float noiseAt(const Brush& brush, const glm::dvec2& place)
+{
+    const glm::vec2 p{place / double(brush.scale)};
+    const auto seed = std::uint32_t(brush.seed);
+    switch (brush.noise) {
+    case BrushNoise::Simplex: return io::simplex(p, seed);
+    case BrushNoise::Ridged: return io::simplexRidged(p, seed, {.count = kOctaves}) * 2 - 1;
+    default: return io::simplexFbm(p, seed, {.count = kOctaves});
+    }
+}
+
+// Loose ground above the angle of rest slides to its lower neighbours (Musgrave, Kolb and Mace 1989).
+io::HeightGrid slumped(io::HeightGrid heights, float degrees, int passes)
+{
+    const float most = std::tan(glm::radians(degrees)) * float(heights.metresPerTexel);
+    for (int pass = 0; pass < passes; ++pass)
+        for (int z = 1; z + 1 < heights.size.y; ++z)
+            for (int x = 1; x + 1 < heights.size.x; ++x) {
+                float& own = heights.at(x, z);
+                for (float* next : {&heights.at(x + 1, z), &heights.at(x - 1, z), &heights.at(x, z + 1), &heights.at(x, z - 1)}) {
+                    const float over = own - *next - most;
+                    if (over <= 0) continue;
+                    own -= over * 0.22f;
+                    *next += over * 0.22f;
+                }
+            }
+    return heights;
+}
+
+// Drops that begin under the brush, run downhill and carry soil along (Beyer 2015, "Implementation of a method for hydraulic
+// erosion"). Heights count in texels, so that the same slopes wear alike at every scale.
+class Rain {
+public:
+    Rain(io::HeightGrid& heights, std::uint64_t seed) : m_heights{heights}, m_random{seed}, m_unit{float(heights.metresPerTexel)} {}
+
+    void drop(glm::vec2 at)
+    {
+        glm::vec2 heading{0};
+        float speed = 1, water = 1, soil = 0;
+        for (int step = 0; step < kSteps; ++step) {
+            const glm::vec3 here = at3(at);
+            heading = heading * kInertia - glm::vec2{here.y, here.z} * (1 - kInertia);
+            const float length = glm::length(heading);
+            if (length < 1e-6f) break;
+            const glm::vec2 next = at + heading / length;
+            heading /= length;
+            if (!inside(next)) break;
+            const float fall = at3(next).x - here.x;
+            const float capacity = std::max(-fall, 0.01f) * speed * water * kCapacity;
+            if (soil > capacity || fall > 0) {
+                const float left = fall > 0 ? std::min(fall, soil) : (soil - capacity) * kLeave;
+                soil -= left;
+                change(at, left);
+            } else {
+                const float taken = std::min((capacity - soil) * kTake, -fall);
+                take(at, taken);
+                soil += taken;
+            }
+            speed = std::sqrt(std::max(0.0f, speed * speed - fall * kGravity));
+            water *= 1 - kDrying;
+            at = next;
+        }
+        change(at, soil); // nothing is lost
+    }
+    glm::vec2 near(glm::vec2 centre, float radius)
+    {
+        const float angle = m_random.range(0, glm::two_pi<float>()), away = std::sqrt(m_random.unit()) * radius;
+        return centre + away * glm::vec2{std::cos(angle), std::sin(angle)};
+    }
+    bool inside(glm::vec2 p) const
+    {
+        return p.x >= 2 && p.y >= 2 && p.x <= float(m_heights.size.x - 4) && p.y <= float(m_heights.size.y - 4);
+    }
+
+private:
+    static constexpr int kSteps = 32;
+    static constexpr float kInertia = 0.1f, kCapacity = 4, kTake = 0.3f, kLeave = 0.3f, kGravity = 4, kDrying = 0.02f;
+
+    glm::vec3 at3(glm::vec2 p) const // height and its slopes, texels
+    {
+        const int x = int(p.x), z = int(p.y);
+        const float u = p.x - float(x), v = p.y - float(z);
+        const float h00 = m_heights.at(x, z), h10 = m_heights.at(x + 1, z), h01 = m_heights.at(x, z + 1), h11 = m_heights.at(x + 1, z + 1);
+        return glm::vec3{glm::mix(glm::mix(h00, h10, u), glm::mix(h01, h11, u), v), glm::mix(h10 - h00, h11 - h01, v),
+                         glm::mix(h01 - h00, h11 - h10, u)} /
+               m_unit;
+    }
+    void change(glm::vec2 p, float texels)
+    {
+        const int x = int(p.x), z = int(p.y);
+        const float u = p.x - float(x), v = p.y - float(z), metres = texels * m_unit;
+        m_heights.at(x, z) += metres * (1 - u) * (1 - v);
+        m_heights.at(x + 1, z) += metres * u * (1 - v);
+        m_heights.at(x, z + 1) += metres * (1 - u) * v;
+        m_heights.at(x + 1, z + 1) += metres * u * v;
+    }
+    void take(glm::vec2 p, float texels) // over a few texels, or drops dig pits
+    {
+        constexpr float kWeights[] = {0.05f, 0.12f, 0.05f, 0.12f, 0.32f, 0.12f, 0.05f, 0.12f, 0.05f};
+        const int x = int(p.x), z = int(p.y);
+        for (int i = 0; i < 9; ++i)
+            m_heights.at(x + i % 3 - 1, z + i / 3 - 1) -= texels * m_unit * kWeights[i];
+    }
+
+    io::HeightGrid& m_heights;
+    io::Random m_random;
+    float m_unit; // m per texel
+};
+
+io::HeightGrid eroded(io::HeightGrid heights, const Brush& brush, const Dab& dab)
+{
+    const auto texel = float(heights.metresPerTexel);
+    const glm::vec2 centre{(dab.centre - heights.origin) / heights.metresPerTexel};
+    const float reach = brush.radius / texel;
+    Rain rain{heights, io::hash(int(dab.number), brush.seed, 77u)};
+    const int drops = std::clamp(int(reach * reach * 0.6f), 8, 40'000);
+    for (int i = 0; i < drops; ++i)
+        if (const glm::vec2 at = rain.near(centre, reach); rain.inside(at)) rain.drop(at);
+    return heights;
+}
+
+// Bilinear; 0 beyond its sides.
+float stampAt(const Brush& brush, const Dab& dab, const glm::dvec2& place)
+{
+    const io::HeightGrid& stamp = *brush.stamp;
+    const double turn = glm::radians(double(brush.rotation));
+    const glm::dvec2 away = (place - dab.centre) / double(brush.radius);
+    const glm::dvec2 turned{away.x * std::cos(turn) + away.y * std::sin(turn), away.y * std::cos(turn) - away.x * std::sin(turn)};
+    const glm::dvec2 at = (turned * 0.5 + 0.5) * glm::dvec2{stamp.size - 1};
+    if (at.x < 0 || at.y < 0 || at.x > stamp.size.x - 1 || at.y > stamp.size.y - 1) return 0;
+    const glm::ivec2 low = glm::min(glm::ivec2{at}, stamp.size - 2);
+    const glm::vec2 f{at - glm::dvec2{low}};
+    return glm::mix(glm::mix(stamp.at(low.x, low.y), stamp.at(low.x + 1, low.y), f.x),
+                    glm::mix(stamp.at(low.x, low.y + 1), stamp.at(low.x + 1, low.y + 1), f.x), f.y);
+}
+
+int marginOf(const Brush& brush, double metresPerTexel)
+{
+    switch (brush.tool) {
+    case BrushTool::Smooth: return 2 * std::clamp(int(brush.radius * 0.08f / float(metresPerTexel)), 1, kMostBlur);
+    case BrushTool::Erode: return 6;
+    case BrushTool::Slump: return 3;
+    default: return 1;
+    }
+}
+
+} // namespace
+
+float fading(const Brush& brush, float away)
+{
+    if (away >= 1) return 0;
+    const float begin = 1 - std::clamp(brush.falloff, 0.0f, 1.0f);
+    if (away <= begin) return 1;
+    const float left = (1 - away) / (1 - begin); // 1 where it begins to fade
+    switch (brush.curve) {
+    case BrushCurve::Linear: return left;
+    case BrushCurve::Dome: return std::sqrt(std::max(0.0f, 1 - (1 - left) * (1 - left)));
+    case BrushCurve::Point: return left * left;
+    default: return left * left * (3 - 2 * left);
+    }
+}
+
+std::optional<HeightPatch> dabOn(const io::HeightMap& map, const Brush& brush, const Dab& dab)
+{
+    EXPECTS(brush.tool != BrushTool::Ramp && brush.radius > 0);
+    HeightPatch patch;
+    const auto ground = under(map, dab.centre - double(brush.radius), dab.centre + double(brush.radius), marginOf(brush, map.metresPerTexel), patch);
+    if (!ground) return std::nullopt;
+    const io::HeightGrid& before = ground->before;
+    const auto change = [&](auto&& height) { forTexels(*ground, brush, dab, patch, height); };
+    const auto place = [&](int x, int z) { return before.origin + glm::dvec2{x, z} * before.metresPerTexel; };
+    const auto towards = [&](const std::vector<float>& aim) {
+        change([&](int x, int z, float share) {
+            return glm::mix(before.at(x, z), aim[std::size_t(z) * before.size.x + x], std::min(share * dab.amount, 1.0f));
+        });
+    };
+    switch (brush.tool) {
+    case BrushTool::Raise: change([&](int x, int z, float share) { return before.at(x, z) + dab.amount * share; }); break;
+    case BrushTool::Lower: change([&](int x, int z, float share) { return before.at(x, z) - dab.amount * share; }); break;
+    case BrushTool::Flatten:
+        change([&](int x, int z, float share) { return glm::mix(before.at(x, z), float(dab.level), std::min(share * dab.amount, 1.0f)); });
+        break;
+    case BrushTool::Terrace:
+        change([&](int x, int z, float share) {
+            const float steps = before.at(x, z) / brush.step, base = std::floor(steps);
+            const float aim = (base + glm::smoothstep(0.3f, 0.7f, steps - base)) * brush.step;
+            return glm::mix(before.at(x, z), aim, std::min(share * dab.amount, 1.0f));
+        });
+        break;
+    case BrushTool::Noise:
+        change([&](int x, int z, float share) { return before.at(x, z) + dab.amount * share * noiseAt(brush, place(x, z)); });
+        break;
+    case BrushTool::Stamp:
+        if (brush.stamp && brush.stamp->size.x > 1 && brush.stamp->size.y > 1)
+            change([&](int x, int z, float share) { return before.at(x, z) + dab.amount * share * stampAt(brush, dab, place(x, z)); });
+        break;
+    case BrushTool::Smooth: {
+        io::HeightGrid once = before;
+        once.metres = blurred(before, marginOf(brush, map.metresPerTexel) / 2);
+        towards(blurred(once, marginOf(brush, map.metresPerTexel) / 2));
+        break;
+    }
+    case BrushTool::Erode: towards(eroded(before, brush, dab).metres); break;
+    case BrushTool::Slump: towards(slumped(before, brush.talus, 4).metres); break;
+    case BrushTool::Ramp: break;
+    }
+    return patch;
+}
+
+std::optional<HeightPatch> rampOn(const io::HeightMap& map, const Brush& brush, const glm::dvec3& from, const glm::dvec3& to, float amount)
+{
+    HeightPatch patch;
+    const glm::dvec2 a{from.x, from.z}, b{to.x, to.z}, along = b - a;
+    const auto ground = under(map, glm::min(a, b) - double(brush.radius), glm::max(a, b) + double(brush.radius), 1, patch);
+    const double length = glm::dot(along, along);
+    if (!ground || length < 1e-6) return std::nullopt;
+    for (int row = 0; row < ground->size.y; ++row)
+        for (int column = 0; column < ground->size.x; ++column) {
+            const int x = ground->low.x + column, z = ground->low.y + row;
+            const glm::dvec2 place = ground->before.origin + glm::dvec2{x, z} * ground->before.metresPerTexel;
+            const double t = std::clamp(glm::dot(place - a, along) / length, 0.0, 1.0);
+            float share = fading(brush, float(glm::distance(place, a + along * t) / brush.radius)) * amount;
+            if (share > 0 && masked(brush)) share *= allowed(brush, ground->before, x, z);
+            if (share > 0) patch.heights.at(column, row) = glm::mix(ground->before.at(x, z), float(glm::mix(from.y, to.y, t)), std::min(share, 1.0f));
+        }
+    return patch;
+}
+
+std::optional<HeightPatch> patchOf(const io::HeightMap& map, const Brush& brush, const glm::dvec2& from, const glm::dvec2& to, float amount)
+{
+    const auto start = map.height(from.x, from.y), end = map.height(to.x, to.y);
+    if (brush.tool != BrushTool::Ramp)
+        return dabOn(map, brush, {.centre = from, .amount = amount, .level = brush.levelGiven ? double(brush.level) : start.value_or(0)});
+    if (!start || !end) return std::nullopt;
+    return rampOn(map, brush, {from.x, *start, from.y}, {to.x, *end, to.y}, std::min(amount, 1.0f));
+}
+
+} // namespace editor

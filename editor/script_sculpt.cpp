@@ -1,0 +1,62 @@
+#include "editor/script_commands.h"
+
+#include "editor/stroke.h"
+
+namespace editor {
+namespace {
+
+template <class Enum> Enum named(Arguments& arguments, const char* key, Enum usual)
+{
+    if (!arguments.has(key)) return usual;
+    const std::string word = arguments.text(key, "");
+    const auto names = enumNames(usual);
+    std::string all;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (word == names[i]) return Enum(i);
+        all += (i > 0 ? ", " : "") + std::string{names[i]};
+    }
+    arguments.fail(std::string{key} + ": \"" + word + "\" is none of " + all);
+    return usual;
+}
+
+// One dab of a brush, or a ramp, as one step.
+Answer sculpt(Script& script, Arguments& arguments)
+{
+    Brush brush;
+    if (!arguments.has("tool")) arguments.fail("needs \"tool\"");
+    brush.tool = named(arguments, "tool", brush.tool);
+    const auto at = arguments.pair("at"), to = arguments.pair("to");
+    if (!at) arguments.fail("needs \"at\"");
+    if (brush.tool == BrushTool::Ramp && !to) arguments.fail("a ramp needs \"to\"");
+    if (brush.tool == BrushTool::Stamp) arguments.fail("a stamp needs a picture; use it in the window");
+    brush.radius = float(arguments.number("radius", double(brush.radius), 0.01, 1e5));
+    const double strength = arguments.number("strength", 1, -1e5, 1e5);
+    brush.falloff = float(arguments.number("falloff", 1, 0, 1));
+    brush.curve = named(arguments, "curve", brush.curve);
+    brush.noise = named(arguments, "noise", brush.noise);
+    brush.scale = float(arguments.number("scale", double(brush.scale), 0.01, 1e5));
+    brush.step = float(arguments.number("step", double(brush.step), 0.01, 1e4));
+    brush.talus = float(arguments.number("talus", double(brush.talus), 1, 89));
+    brush.seed = int(arguments.number("seed", 1, 0, 1e9));
+    brush.levelGiven = arguments.has("level");
+    brush.level = float(arguments.number("level", 0, -1e5, 1e5));
+    if (!script.document().scene().heights()) arguments.fail("this scene has no ground");
+    if (const auto fault = arguments.finish()) return *fault;
+    const std::optional<HeightPatch> patch = patchOf(*script.document().scene().heights(), brush, *at, to.value_or(*at), float(strength));
+    if (!patch) return io::Error{{}, "there is no ground there"};
+    Stroke stroke{script.document(), brush, {}, "Sculpt"};
+    stroke.change(*patch);
+    stroke.end();
+    return io::Value::Object{{"texels", io::Value::Array{patch->heights.size.x, patch->heights.size.y}}};
+}
+
+constexpr ScriptCommand kCommands[] = {{"sculpt", sculpt}};
+
+} // namespace
+
+std::span<const ScriptCommand> groundCommands()
+{
+    return kCommands;
+}
+
+} // namespace editor

@@ -1,0 +1,141 @@
+#include "editor/stroke.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace editor {
+namespace {
+
+constexpr double kSpacing = 0.2;      // radii between dabs
+constexpr double kStampSpacing = 1.5; // a stamp should not blur itself
+constexpr double kRestingDabs = 12;   // a second
+constexpr double kCell = 32;          // m
+
+std::int64_t cellKey(std::int64_t x, std::int64_t z)
+{
+    return x * 0x100000000ll + z;
+}
+
+std::int64_t cellOf(double metres)
+{
+    return std::int64_t(std::floor(metres / kCell));
+}
+
+} // namespace
+
+Stroke::Stroke(Document& document, Brush brush, StrokeKeys keys, std::string name)
+    : m_document{document}, m_brush{std::move(brush)}, m_keys{keys}, m_name{std::move(name)}
+{
+    if (m_keys.smooths) m_brush.tool = BrushTool::Smooth;
+    if (m_keys.inverted && m_brush.tool == BrushTool::Raise) m_brush.tool = BrushTool::Lower;
+    else if (m_keys.inverted && m_brush.tool == BrushTool::Lower) m_brush.tool = BrushTool::Raise;
+    m_gesture.emplace(m_document, m_name);
+}
+
+Stroke::~Stroke() = default;
+
+float Stroke::amountOf(const Brush& brush)
+{
+    const float strength = std::clamp(brush.strength, 0.0f, 1.0f);
+    switch (brush.tool) {
+    case BrushTool::Raise:
+    case BrushTool::Lower: return strength * strength * brush.radius * 0.08f; // wide brushes make high hills
+    case BrushTool::Noise: return strength * strength * brush.scale * 0.06f;
+    case BrushTool::Stamp: return strength * brush.radius;
+    case BrushTool::Ramp: return 1;
+    default: return strength;
+    }
+}
+
+void Stroke::to(const glm::dvec3& point)
+{
+    if (!m_last) {
+        m_start = m_last = point;
+        m_level = m_brush.levelGiven ? double(m_brush.level) : point.y;
+        if (m_brush.tool != BrushTool::Ramp) dab({point.x, point.z});
+        m_toNext = m_brush.radius * (m_brush.tool == BrushTool::Stamp ? kStampSpacing : kSpacing);
+        return;
+    }
+    const double spacing = m_brush.radius * (m_brush.tool == BrushTool::Stamp ? kStampSpacing : kSpacing);
+    const glm::dvec2 from{m_last->x, m_last->z}, way = glm::dvec2{point.x, point.z} - from;
+    const double length = glm::length(way);
+    m_last = point;
+    if (length == 0 || m_brush.tool == BrushTool::Ramp) return;
+    m_rested = 0;
+    double at = m_toNext;
+    for (; at <= length; at += spacing)
+        dab(from + way * (at / length));
+    m_toNext = at - length;
+}
+
+void Stroke::rest(double seconds)
+{
+    if (!m_last || m_brush.tool == BrushTool::Ramp || m_brush.tool == BrushTool::Stamp) return;
+    m_rested += seconds;
+    for (; m_rested >= 1 / kRestingDabs; m_rested -= 1 / kRestingDabs)
+        dab({m_last->x, m_last->z});
+}
+
+void Stroke::dab(const glm::dvec2& at)
+{
+    const auto& map = m_document.scene().heights();
+    if (!map) return;
+    float amount = amountOf(m_brush);
+    if (m_keys.inverted && (m_brush.tool == BrushTool::Noise || m_brush.tool == BrushTool::Stamp)) amount = -amount;
+    const auto patch = dabOn(*map, m_brush, {.centre = at, .amount = amount, .level = m_level, .number = m_dabs++});
+    if (patch) change(*patch);
+}
+
+void Stroke::change(const HeightPatch& patch)
+{
+    const std::shared_ptr<const io::HeightMap> before = m_document.scene().heights();
+    setHeights(m_document, m_name, std::make_shared<const io::HeightMap>(before->with(patch.heights, patch.at)), patch.rect());
+    if (m_keys.objectsFollow) lift(patch, *before);
+}
+
+void Stroke::findObjects()
+{
+    m_objectsFound = true;
+    for (const io::Object& object : m_document.scene().objects())
+        m_objects[cellKey(cellOf(object.transform.position.x), cellOf(object.transform.position.z))].push_back(object.id);
+}
+
+void Stroke::lift(const HeightPatch& patch, const io::HeightMap& before)
+{
+    if (!m_objectsFound) findObjects();
+    const io::HeightMap& now = *m_document.scene().heights();
+    const glm::dvec2 low = patch.heights.origin, high = low + glm::dvec2{patch.heights.size - 1} * patch.heights.metresPerTexel;
+    const auto rise = [&](const io::Object& object) {
+        const glm::dvec3& p = object.transform.position;
+        const auto old = before.height(p.x, p.z), risen = now.height(p.x, p.z);
+        return old && risen ? *risen - *old : 0.0;
+    };
+    std::vector<io::ObjectId> ids;
+    for (std::int64_t z = cellOf(low.y - before.metresPerTexel); z <= cellOf(high.y + before.metresPerTexel); ++z)
+        for (std::int64_t x = cellOf(low.x - before.metresPerTexel); x <= cellOf(high.x + before.metresPerTexel); ++x) {
+            const auto cell = m_objects.find(cellKey(x, z));
+            if (cell == m_objects.end()) continue;
+            std::ranges::copy_if(cell->second, std::back_inserter(ids), [&](io::ObjectId id) {
+                const io::Object* object = m_document.scene().find(id);
+                return object && rise(*object) != 0;
+            });
+        }
+    if (ids.empty()) return;
+    edit(m_document, m_name, ids, [&](io::Object& object) { object.transform.position.y += rise(object); });
+}
+
+void Stroke::cancel()
+{
+    if (m_gesture) m_gesture->cancel();
+    m_gesture.reset();
+}
+
+void Stroke::end()
+{
+    const auto& map = m_document.scene().heights();
+    if (map && m_gesture && m_brush.tool == BrushTool::Ramp && m_start && m_last)
+        if (const auto patch = rampOn(*map, m_brush, *m_start, *m_last, 1)) change(*patch);
+    m_gesture.reset();
+}
+
+} // namespace editor

@@ -1,0 +1,96 @@
+// Shaping the ground with the brush, as a person does it in the viewport.
+#include "tests/ui/support/rig.h"
+
+#include <gtest/gtest.h>
+
+using namespace test;
+using editor::BrushTool;
+using editor::Key;
+
+namespace {
+
+struct Sculpting : ::testing::Test {
+    Rig rig{crates(3)};
+    void SetUp() override
+    {
+        rig.editor->workspace().bringToFront("terrain");
+        rig.frame(3);
+    }
+    double ground(double x, double z) { return *rig.document().scene().heights()->height(x, z); }
+    std::vector<std::string> names() { return rig.document().history().names(); }
+};
+
+TEST_F(Sculpting, AStrokeRaisesTheGroundAndIsOneStep)
+{
+    rig.click("Raise", "button");
+    EXPECT_TRUE(rig.editor->viewport().sculpting);
+    rig.drag(rig.onScreen({0, 0, -10}), rig.onScreen({16, 0, -10}));
+    EXPECT_EQ(names(), std::vector<std::string>{"Raise ground"});
+    EXPECT_GT(ground(8, -12), 0.1);
+    EXPECT_GT(rig.position(2).y, 0); // the crate came along
+    rig.key(editor::ctrl(Key::Z));
+    EXPECT_EQ(ground(8, -12), 0);
+    EXPECT_EQ(rig.position(2).y, 0);
+    EXPECT_TRUE(rig.editor->selection().empty()); // nothing was picked meanwhile
+}
+
+TEST_F(Sculpting, CtrlLowersAndEscapeTakesBackWhatIsBeingDrawn)
+{
+    rig.click("Raise", "button");
+    rig.hold(true);
+    rig.drag(rig.onScreen({0, 0, -10}), rig.onScreen({12, 0, -10}));
+    rig.hold(false);
+    EXPECT_LT(ground(8, -12), -0.1);
+    const double before = ground(8, -12);
+    rig.move(rig.onScreen({0, 0, 0}));
+    rig.press();
+    rig.move(rig.onScreen({12, 0, 0}));
+    EXPECT_NE(ground(8, -12), before);
+    rig.key({.key = Key::Escape});
+    EXPECT_EQ(ground(8, -12), before);
+    rig.release();
+    EXPECT_EQ(names().size(), 1u);
+    EXPECT_TRUE(rig.editor->viewport().sculpting); // the brush stays in hand
+    rig.key({.key = Key::Escape});
+    EXPECT_FALSE(rig.editor->viewport().sculpting);
+}
+
+TEST_F(Sculpting, KeysTakeTheBrushAndChangeItsSize)
+{
+    rig.key({.key = Key::B});
+    EXPECT_TRUE(rig.editor->viewport().sculpting);
+    const float radius = rig.editor->viewport().brush.radius;
+    rig.key({.key = Key::RightBracket});
+    EXPECT_GT(rig.editor->viewport().brush.radius, radius);
+    rig.key({.key = Key::LeftBracket});
+    rig.key({.key = Key::LeftBracket});
+    EXPECT_LT(rig.editor->viewport().brush.radius, radius);
+    rig.key({.key = Key::W}); // another tool puts it down
+    EXPECT_FALSE(rig.editor->viewport().sculpting);
+}
+
+TEST_F(Sculpting, AHeldButtonGoesOn)
+{
+    rig.click("Raise", "button");
+    rig.move(rig.onScreen({0, 0, -10}));
+    rig.press();
+    const double first = ground(0, -12);
+    rig.frame(60);
+    EXPECT_GT(ground(0, -12), first * 2);
+    rig.release();
+    EXPECT_EQ(names().size(), 1u);
+}
+
+TEST_F(Sculpting, ARampRunsFromPressToRelease)
+{
+    rig.click("Raise", "button");
+    rig.click(rig.onScreen({20, 0, -20}));
+    const double high = ground(20, -20);
+    rig.click("Ramp", "button");
+    rig.drag(rig.onScreen({-20, 0, -20}), rig.onScreen({20, high, -20}));
+    EXPECT_EQ(names().back(), "Ramp");
+    EXPECT_GT(ground(0, -20), high * 0.2);
+    EXPECT_LT(ground(0, -20), high * 0.8);
+}
+
+} // namespace
