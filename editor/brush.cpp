@@ -262,7 +262,7 @@ float fading(const Brush& brush, float away)
 
 std::optional<HeightPatch> dabOn(const io::HeightMap& map, const Brush& brush, const Dab& dab)
 {
-    EXPECTS(brush.tool != BrushTool::Ramp && brush.radius > 0);
+    EXPECTS(brush.tool != BrushTool::Ramp && !paints(brush.tool) && brush.radius > 0);
     HeightPatch patch;
     const auto ground = under(map, dab.centre - double(brush.radius), dab.centre + double(brush.radius), marginOf(brush, map.metresPerTexel), patch);
     if (!ground) return std::nullopt;
@@ -302,8 +302,62 @@ std::optional<HeightPatch> dabOn(const io::HeightMap& map, const Brush& brush, c
     }
     case BrushTool::Erode: towards(eroded(before, brush, dab).metres); break;
     case BrushTool::Slump: towards(slumped(before, brush.talus, 4).metres); break;
-    case BrushTool::Ramp: break;
+    default: break;
     }
+    return patch;
+}
+
+// A texel knows two layers: a third takes the place of the weaker one.
+io::Cover painted(io::Cover cover, BrushTool tool, int layer, int replaced, float share)
+{
+    if (tool == BrushTool::Erase) {
+        cover.painted *= 1 - share;
+        return cover.painted < 1.0f / 255 ? io::Cover{} : cover;
+    }
+    if (tool == BrushTool::Replace) {
+        if (share < 0.5f || cover.painted == 0) return cover;
+        if (cover.base == replaced) cover.base = layer;
+        if (cover.over == replaced) cover.over = layer;
+        return cover;
+    }
+    if (cover.painted == 0) return {layer, layer, 0, share};
+    const float before = cover.painted;
+    cover.painted += (1 - cover.painted) * share;
+    // What is painted anew is all of this layer; what was painted already gets its share of it.
+    const float gained = (share * before + cover.painted - before) / cover.painted;
+    if (cover.base == layer && cover.over == layer) {
+        cover.share = 0;
+    } else if (cover.over == layer) {
+        cover.share += (1 - cover.share) * gained;
+    } else if (cover.base == layer) {
+        cover.share -= cover.share * gained;
+    } else {
+        if (cover.share > 0.5f) cover.base = cover.over;
+        cover.over = layer;
+        cover.share = gained;
+    }
+    return cover;
+}
+
+std::optional<CoverPatch> paintOn(const io::HeightMap& map, const io::CoverMap& cover, const Brush& brush, const Dab& dab, bool everywhere)
+{
+    EXPECTS(paints(brush.tool) && cover.size() == map.size);
+    HeightPatch where;
+    const glm::dvec2 reach{everywhere ? 1e9 : double(brush.radius)};
+    const auto ground = under(map, dab.centre - reach, dab.centre + reach, 1, where);
+    if (!ground) return std::nullopt;
+    CoverPatch patch{where.at, ground->size, cover.read(where.rect())};
+    const bool mask = masked(brush);
+    for (int row = 0; row < patch.size.y; ++row)
+        for (int column = 0; column < patch.size.x; ++column) {
+            const int x = ground->low.x + column, z = ground->low.y + row;
+            const glm::dvec2 place = ground->before.origin + glm::dvec2{x, z} * ground->before.metresPerTexel;
+            float share = everywhere ? 1.0f : fading(brush, float(glm::distance(place, dab.centre) / brush.radius));
+            if (share > 0 && mask) share *= allowed(brush, ground->before, x, z);
+            if (share <= 0) continue;
+            std::uint32_t& texel = patch.texels[std::size_t(row) * std::size_t(patch.size.x) + std::size_t(column)];
+            texel = io::packed(painted(io::unpacked(texel), brush.tool, brush.layer, brush.replaced, std::min(share * dab.amount, 1.0f)));
+        }
     return patch;
 }
 

@@ -2,6 +2,7 @@
 // so a dab is the same wherever and whenever it is made.
 #pragma once
 
+#include "io/scene/cover_map.h"
 #include "io/scene/fields.h"
 #include "io/scene/height_map.h"
 
@@ -14,13 +15,13 @@
 
 namespace editor {
 
-enum class BrushTool { Raise, Lower, Smooth, Flatten, Ramp, Terrace, Noise, Erode, Slump, Stamp };
+enum class BrushTool { Raise, Lower, Smooth, Flatten, Ramp, Terrace, Noise, Erode, Slump, Stamp, Paint, Erase, Replace };
 enum class BrushCurve { Smooth, Linear, Dome, Point }; // how a dab fades between its full part and its edge
 enum class BrushNoise { Simplex, Fbm, Ridged };
 
 constexpr auto enumNames(BrushTool)
 {
-    return std::array<std::string_view, 10>{"raise", "lower", "smooth", "flatten", "ramp", "terrace", "noise", "erode", "slump", "stamp"};
+    return std::array<std::string_view, 13>{"raise", "lower", "smooth", "flatten", "ramp", "terrace", "noise", "erode", "slump", "stamp", "paint", "erase", "replace"};
 }
 constexpr auto enumNames(BrushCurve) { return std::array<std::string_view, 4>{"smooth", "linear", "dome", "point"}; }
 constexpr auto enumNames(BrushNoise) { return std::array<std::string_view, 3>{"simplex", "fbm", "ridged"}; }
@@ -41,12 +42,16 @@ struct Brush {
     int seed = 1;
     float talus = 33;                // degrees, at which loose ground comes to rest
     float rotation = 0;              // degrees, of a stamp
+    int layer = 0;                   // that is painted, of the terrain's
+    int replaced = 0;                // in whose place
     std::string stampFile;           // of the project, as "textures/crater.png"
     std::shared_ptr<const io::HeightGrid> stamp; // 0..1, its sides as long as the brush is wide; null: none
     bool operator==(const Brush&) const = default;
 };
 
-// Those that this tool uses.
+constexpr bool paints(BrushTool tool) { return tool >= BrushTool::Paint; } // layers; the others shape heights
+
+// Those that this tool uses; layers are chosen by name.
 void fields(auto& v, io::Of<Brush> auto& b)
 {
     using enum BrushTool;
@@ -81,11 +86,21 @@ struct HeightPatch {
     io::TexelRect rect() const { return {at, at + heights.size}; }
 };
 
+struct CoverPatch {
+    glm::ivec2 at{0}, size{0};
+    std::vector<std::uint32_t> texels;
+    io::TexelRect rect() const { return {at, at + size}; }
+};
+
 // 1 in the middle, 0 at the edge and beyond; `away` in radii.
 float fading(const Brush& brush, float away);
 
-// Nothing where the brush lies beside the ground. The tool is anything but Ramp.
+// Nothing where the brush lies beside the ground. The tool shapes, and is anything but Ramp.
 std::optional<HeightPatch> dabOn(const io::HeightMap& map, const Brush& brush, const Dab& dab);
+
+// The tool paints. `everywhere`: not only under the brush, but where its slopes and heights let it.
+std::optional<CoverPatch> paintOn(const io::HeightMap& map, const io::CoverMap& cover, const Brush& brush, const Dab& dab, bool everywhere = false);
+io::Cover painted(io::Cover cover, BrushTool tool, int layer, int replaced, float share); // one texel
 
 // An even way from one point of the ground to another, as wide as the brush.
 std::optional<HeightPatch> rampOn(const io::HeightMap& map, const Brush& brush, const glm::dvec3& from, const glm::dvec3& to, float amount);

@@ -154,106 +154,143 @@ template class SwapPart<std::vector<io::CameraPath>>;
 
 namespace {
 
-constexpr std::size_t kTileTexels = std::size_t(io::HeightTile::kSide) * io::HeightTile::kSide;
-
-bool sameShape(const io::HeightMap* a, const io::HeightMap* b)
+const std::shared_ptr<const io::HeightMap>& currentMap(const io::Scene& scene, const io::HeightMap*)
 {
-    return a && b && a->size == b->size;
+    return scene.heights();
+}
+const std::shared_ptr<const io::CoverMap>& currentMap(const io::Scene& scene, const io::CoverMap*)
+{
+    return scene.cover();
+}
+const io::TexelTiles<float>& fieldOf(const io::HeightMap& map)
+{
+    return map.field();
+}
+const io::CoverMap& fieldOf(const io::CoverMap& map)
+{
+    return map;
+}
+io::HeightMap withField(const io::HeightMap& map, io::TexelTiles<float> field)
+{
+    return map.with(std::move(field));
+}
+io::CoverMap withField(const io::CoverMap&, io::CoverMap field)
+{
+    return field;
+}
+io::Changes changesOf(const io::HeightMap*, const io::TexelRect& rect)
+{
+    return {.heights = {rect}};
+}
+io::Changes changesOf(const io::CoverMap*, const io::TexelRect& rect)
+{
+    return {.cover = {rect}};
 }
 
-template <class Visit> void forTilesThatDiffer(const io::HeightMap& a, const io::HeightMap& b, Visit&& visit)
+// Where the ground lies may have been changed by another command of the same step.
+void placeAs(const io::HeightMap& now, std::shared_ptr<const io::HeightMap>& other)
 {
-    for (int z = 0; z < a.tiles().y; ++z)
-        for (int x = 0; x < a.tiles().x; ++x)
-            if (a.tile({x, z}) != b.tile({x, z})) visit(glm::ivec2{x, z});
+    if (now.metresPerTexel != other->metresPerTexel || now.origin != other->origin)
+        other = std::make_shared<const io::HeightMap>(other->placed(now.metresPerTexel, now.origin));
+}
+void placeAs(const io::CoverMap&, std::shared_ptr<const io::CoverMap>&) {}
+
+template <class Map> bool sameShape(const Map* a, const Map* b)
+{
+    return a && b && fieldOf(*a).size() == fieldOf(*b).size();
 }
 
 // The four bytes of each number apart, as like bytes pack better beside each other.
-std::vector<std::byte> differenceOf(const std::vector<float>& a, const std::vector<float>& b)
+template <class T> std::vector<std::byte> differenceOf(const std::vector<T>& a, const std::vector<T>& b)
 {
-    std::vector<std::byte> planes(kTileTexels * 4);
-    for (std::size_t i = 0; i < kTileTexels; ++i) {
+    std::vector<std::byte> planes(io::kTileTexels * 4);
+    for (std::size_t i = 0; i < io::kTileTexels; ++i) {
         const std::uint32_t bits = std::bit_cast<std::uint32_t>(a[i]) ^ std::bit_cast<std::uint32_t>(b[i]);
         for (std::size_t plane = 0; plane < 4; ++plane)
-            planes[plane * kTileTexels + i] = std::byte(bits >> (8 * plane));
+            planes[plane * io::kTileTexels + i] = std::byte(bits >> (8 * plane));
     }
     return planes;
 }
 
-std::vector<float> applied(std::vector<float> metres, const std::vector<std::byte>& planes)
+template <class T> std::vector<T> applied(std::vector<T> texels, const std::vector<std::byte>& planes)
 {
-    for (std::size_t i = 0; i < kTileTexels; ++i) {
+    for (std::size_t i = 0; i < io::kTileTexels; ++i) {
         std::uint32_t bits = 0;
         for (std::size_t plane = 0; plane < 4; ++plane)
-            bits |= std::uint32_t(planes[plane * kTileTexels + i]) << (8 * plane);
-        metres[i] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(metres[i]) ^ bits);
+            bits |= std::uint32_t(planes[plane * io::kTileTexels + i]) << (8 * plane);
+        texels[i] = std::bit_cast<T>(std::bit_cast<std::uint32_t>(texels[i]) ^ bits);
     }
-    return metres;
+    return texels;
 }
 
 } // namespace
 
-io::Changes SwapHeights::swap(io::World& world)
+template <class Map> io::Changes SwapGround<Map>::swap(io::World& world)
 {
-    const std::shared_ptr<const io::HeightMap> now = world.scene.heights();
+    constexpr const Map* kKind = nullptr;
+    const std::shared_ptr<const Map> now = currentMap(world.scene, kKind);
     if (m_packed) {
-        std::vector<std::pair<glm::ivec2, std::vector<float>>> tiles;
+        const auto& field = fieldOf(*now);
+        std::vector<std::pair<glm::ivec2, typename std::remove_cvref_t<decltype(field)>::Tile>> tiles;
         for (const Difference& difference : m_differences)
-            tiles.emplace_back(difference.tile, applied(now->tile(difference.tile)->metres, difference.bits.unpacked()));
-        world.scene.exchange(std::make_shared<const io::HeightMap>(now->withTiles(std::move(tiles))));
-        return {.heights = {m_changed}};
+            tiles.emplace_back(difference.tile, applied(*field.tile(difference.tile), difference.bits.unpacked()));
+        world.scene.exchange(std::make_shared<const Map>(withField(*now, field.withTiles(std::move(tiles)))));
+        return changesOf(kKind, m_changed);
     }
-    // Where the ground lies may have been changed by another command of the same step.
-    if (now && m_other && (now->metresPerTexel != m_other->metresPerTexel || now->origin != m_other->origin))
-        m_other = std::make_shared<const io::HeightMap>(m_other->placed(now->metresPerTexel, now->origin));
+    if (now && m_other) placeAs(*now, m_other);
     io::TexelRect all = m_changed;
     if (!sameShape(now.get(), m_other.get())) {
-        if (now) all = around(all, now->texels());
-        if (m_other) all = around(all, m_other->texels());
+        if (now) all = around(all, fieldOf(*now).rect());
+        if (m_other) all = around(all, fieldOf(*m_other).rect());
     }
     m_other = world.scene.exchange(std::move(m_other));
+    const Map* here = currentMap(world.scene, kKind).get();
     m_tiles = 0;
-    if (sameShape(world.scene.heights().get(), m_other.get()))
-        forTilesThatDiffer(*world.scene.heights(), *m_other, [this](glm::ivec2) { ++m_tiles; });
+    if (sameShape(here, m_other.get()))
+        fieldOf(*here).eachOther(fieldOf(*m_other), [this](glm::ivec2) { ++m_tiles; });
     else if (m_other)
-        m_tiles = std::size_t(m_other->tiles().x) * m_other->tiles().y;
-    return {.heights = {all}};
+        m_tiles = fieldOf(*m_other).bytes() / (io::kTileTexels * 4);
+    return changesOf(kKind, all);
 }
 
-bool SwapHeights::changesNothing(const io::World& world) const
+template <class Map> bool SwapGround<Map>::changesNothing(const io::World& world) const
 {
     if (m_packed) return m_differences.empty();
-    const auto& now = world.scene.heights();
+    const auto& now = currentMap(world.scene, static_cast<const Map*>(nullptr));
     return now == m_other || (now && m_other && *now == *m_other);
 }
 
-std::size_t SwapHeights::bytes() const
+template <class Map> std::size_t SwapGround<Map>::bytes() const
 {
-    std::size_t bytes = sizeof *this + m_tiles * kTileTexels * sizeof(float);
+    std::size_t bytes = sizeof *this + m_tiles * io::kTileTexels * 4;
     for (const Difference& difference : m_differences)
         bytes += sizeof difference + difference.bits.bytes();
     return bytes;
 }
 
-bool SwapHeights::absorb(Command& later)
+template <class Map> bool SwapGround<Map>::absorb(Command& later)
 {
-    const auto* other = dynamic_cast<SwapHeights*>(&later);
+    const auto* other = dynamic_cast<SwapGround*>(&later);
     if (!other) return false;
     m_changed = around(m_changed, other->m_changed);
     return true;
 }
 
-void SwapHeights::pack(const io::World& world)
+template <class Map> void SwapGround<Map>::pack(const io::World& world)
 {
-    const auto& now = world.scene.heights();
+    const auto& now = currentMap(world.scene, static_cast<const Map*>(nullptr));
     if (m_packed || !sameShape(now.get(), m_other.get())) return;
-    forTilesThatDiffer(*now, *m_other, [&](glm::ivec2 tile) {
-        m_differences.push_back({tile, io::PackedBytes{differenceOf(now->tile(tile)->metres, m_other->tile(tile)->metres)}});
+    const auto &field = fieldOf(*now), &other = fieldOf(*m_other);
+    field.eachOther(other, [&](glm::ivec2 tile) {
+        m_differences.push_back({tile, io::PackedBytes{differenceOf(*field.tile(tile), *other.tile(tile))}});
     });
     m_other = nullptr;
     m_tiles = 0;
     m_packed = true;
 }
+
+template class SwapGround<io::HeightMap>;
+template class SwapGround<io::CoverMap>;
 
 void Composite::pack(const io::World& world)
 {

@@ -62,13 +62,14 @@ using SwapTerrain = SwapPart<io::Terrain>;
 using SwapCameras = SwapPart<std::vector<io::Camera>>;
 using SwapPaths = SwapPart<std::vector<io::CameraPath>>;
 
-// The ground's heights: a stroke of a brush, or another map altogether. Until it is packed it holds the other map, which has
-// in common with the scene's what did not change; then only the bits in which the touched tiles differ.
-class SwapHeights final : public Command {
+// A field of the ground, io::HeightMap or io::CoverMap: a stroke of a brush, or another map altogether. Until it is packed it
+// holds the other map, which has in common with the scene's what did not change; then only the bits in which the touched
+// tiles differ.
+template <class Map> class SwapGround final : public Command {
 public:
     // `changed`: where the two maps differ; all of it where they are not of one size.
-    SwapHeights(std::string name, std::shared_ptr<const io::HeightMap> heights, const io::TexelRect& changed)
-        : Command{std::move(name)}, m_other{std::move(heights)}, m_changed{changed}
+    SwapGround(std::string name, std::shared_ptr<const Map> map, const io::TexelRect& changed)
+        : Command{std::move(name)}, m_other{std::move(map)}, m_changed{changed}
     {
     }
     io::Changes swap(io::World& world) override;
@@ -80,14 +81,17 @@ public:
 private:
     struct Difference {
         glm::ivec2 tile;
-        io::PackedBytes bits; // of the one heights, exclusive or with those of the other
+        io::PackedBytes bits; // of the one's texels, exclusive or with those of the other
     };
-    std::shared_ptr<const io::HeightMap> m_other; // null: none, or packed
+    std::shared_ptr<const Map> m_other; // null: none, or packed
     io::TexelRect m_changed;
     std::vector<Difference> m_differences; // once packed
     bool m_packed = false;
     std::size_t m_tiles = 0; // that m_other does not share
 };
+
+using SwapHeights = SwapGround<io::HeightMap>;
+using SwapCover = SwapGround<io::CoverMap>;
 
 // Several commands, already done, as one step. Those that cannot absorb each other touch different things, so the
 // order in which they are swapped does not matter.

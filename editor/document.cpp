@@ -125,6 +125,11 @@ void setHeights(Document& document, std::string name, std::shared_ptr<const io::
     document.run(std::make_unique<SwapHeights>(std::move(name), std::move(heights), changed));
 }
 
+void setCover(Document& document, std::string name, std::shared_ptr<const io::CoverMap> cover, const io::TexelRect& changed)
+{
+    document.run(std::make_unique<SwapCover>(std::move(name), std::move(cover), changed));
+}
+
 void setCameras(Document& document, std::string name, std::vector<io::Camera> cameras)
 {
     document.run(std::make_unique<SwapCameras>(std::move(name), std::move(cameras)));

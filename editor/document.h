@@ -62,6 +62,8 @@ public:
     // The heights of the file that such a terrain names; null where there are none or, with a complaint, they cannot be read.
     std::shared_ptr<const io::HeightMap> readHeights(const io::Terrain& terrain);
 
+    std::shared_ptr<const io::CoverMap> readCover(const io::Terrain& terrain); // likewise, for the heights that are there
+
     // Reads the model of a template again, as after its file changed.
     void reloadModel(io::TemplateId id);
 
@@ -140,6 +142,7 @@ void setEnvironment(Document& document, std::string name, io::Environment enviro
 void setTerrain(Document& document, std::string name, io::Terrain terrain);
 // `changed`: where they differ from the scene's.
 void setHeights(Document& document, std::string name, std::shared_ptr<const io::HeightMap> heights, const io::TexelRect& changed);
+void setCover(Document& document, std::string name, std::shared_ptr<const io::CoverMap> cover, const io::TexelRect& changed);
 void setCameras(Document& document, std::string name, std::vector<io::Camera> cameras);
 void setPaths(Document& document, std::string name, std::vector<io::CameraPath> paths);
 void setTemplate(Document& document, std::string name, io::TemplateId id, std::optional<io::Template> value);

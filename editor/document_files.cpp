@@ -120,6 +120,15 @@ std::shared_ptr<const io::HeightMap> Document::readHeights(const io::Terrain& te
     return heights;
 }
 
+std::shared_ptr<const io::CoverMap> Document::readCover(const io::Terrain& terrain)
+{
+    if (terrain.coverMap.empty() || !m_world.scene.heights()) return nullptr;
+    const std::size_t before = m_complaints.size();
+    auto cover = io::readCover(m_world, terrain, m_world.scene.heights()->size, m_complaints);
+    logComplaints(m_complaints, before);
+    return cover;
+}
+
 void setTerrain(Document& document, std::string name, io::Terrain terrain)
 {
     const io::Terrain before = document.scene().terrain();
@@ -128,7 +137,9 @@ void setTerrain(Document& document, std::string name, io::Terrain terrain)
     const bool otherRange = terrain.minHeight != before.minHeight || terrain.maxHeight != before.maxHeight;
     const Gesture gesture{document, name};
     document.run(std::make_unique<SwapTerrain>(name, terrain));
-    if (otherFile) return setHeights(document, name, document.readHeights(terrain), {});
+    if (otherFile) setHeights(document, name, document.readHeights(terrain), {});
+    if (otherFile || terrain.coverMap != before.coverMap) setCover(document, name, document.readCover(terrain), {});
+    if (otherFile) return;
     if (!otherRange || !heights || !heights->shares) return;
     if (std::abs(before.maxHeight - before.minHeight) < kLeastSpan || std::abs(terrain.maxHeight - terrain.minHeight) < kLeastSpan) return;
     setHeights(document, name, scaled(*document.scene().heights(), before, terrain), heights->texels());
@@ -178,6 +189,7 @@ io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::
     const io::Project projectBefore = m_world.project;
     const auto templateFilesBefore = m_world.templateFiles;
     const auto heightsBefore = m_world.savedHeights;
+    const auto coverBefore = m_world.savedCover;
     const std::uint64_t savedBefore = m_savedState;
     m_world.project.folder = half;
     io::Result<io::FileTransaction::Report> report = save();
@@ -193,6 +205,7 @@ io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::
         m_world.project = projectBefore;
         m_world.templateFiles = templateFilesBefore;
         m_world.savedHeights = heightsBefore;
+        m_world.savedCover = coverBefore;
         m_savedState = savedBefore;
         fs::remove_all(half, fault);
     }

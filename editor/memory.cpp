@@ -50,7 +50,7 @@ WorldMemory memoryOf(const Document& document)
     }
     const auto objects = document.scene().objects();
     counted.memory.objects = bytesOf(objects) + objects.size() * kIndexed;
-    if (document.scene().heights()) counted.memory.heights = document.scene().heights()->bytes();
+    if (document.scene().heights()) counted.memory.heights = document.scene().heights()->field().bytes();
     return counted.memory;
 }
 

@@ -42,7 +42,6 @@ io::Value Script::execute(const io::Value& command)
     const io::Value* name = command.find("do");
     if (!name || !name->asString()) return refusal("a command is an object with \"do\": its name");
     const std::string& words = *name->asString();
-    if (words == "paint") return refusal(words + ": comes with a later release");
     const ScriptCommand* known = findCommand(words);
     if (!known) return refusal("there is no command \"" + words + "\"");
 

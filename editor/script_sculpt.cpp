@@ -1,5 +1,6 @@
 #include "editor/script_commands.h"
 
+#include "editor/painting.h"
 #include "editor/stroke.h"
 
 namespace editor {
@@ -28,6 +29,7 @@ Answer sculpt(Script& script, Arguments& arguments)
     const auto at = arguments.pair("at"), to = arguments.pair("to");
     if (!at) arguments.fail("needs \"at\"");
     if (brush.tool == BrushTool::Ramp && !to) arguments.fail("a ramp needs \"to\"");
+    if (paints(brush.tool)) arguments.fail("layers are painted by \"do\":\"paint\"");
     if (brush.tool == BrushTool::Stamp) arguments.fail("a stamp needs a picture; use it in the window");
     brush.radius = float(arguments.number("radius", double(brush.radius), 0.01, 1e5));
     const double strength = arguments.number("strength", 1, -1e5, 1e5);
@@ -50,7 +52,45 @@ Answer sculpt(Script& script, Arguments& arguments)
     return io::Value::Object{{"texels", io::Value::Array{patch->heights.size.x, patch->heights.size.y}}};
 }
 
-constexpr ScriptCommand kCommands[] = {{"sculpt", sculpt}};
+int layerNamed(Script& script, Arguments& arguments, const char* key)
+{
+    const io::Value* value = arguments.value(key);
+    const auto& layers = script.document().scene().terrain().layers;
+    if (!value) arguments.fail(std::string{"needs \""} + key + "\"");
+    else if (const double* number = value->asNumber(); number && *number >= 0 && *number < double(layers.size())) return int(*number);
+    else if (const std::string* name = value->asString())
+        for (std::size_t i = 0; i < layers.size(); ++i)
+            if (layers[i].name == *name) return int(i);
+    arguments.fail(std::string{key} + ": is no layer of the ground");
+    return 0;
+}
+
+// One dab of a layer as one step; "tool" erase or replace (of "replaced") in place of paint.
+Answer paint(Script& script, Arguments& arguments)
+{
+    Brush brush{.tool = BrushTool::Paint};
+    if (arguments.has("tool")) brush.tool = named(arguments, "tool", brush.tool);
+    if (!paints(brush.tool)) arguments.fail("tool: must be paint, erase or replace");
+    if (brush.tool != BrushTool::Erase) brush.layer = layerNamed(script, arguments, "layer");
+    if (brush.tool == BrushTool::Replace) brush.replaced = layerNamed(script, arguments, "replaced");
+    const auto at = arguments.pair("at");
+    const bool everywhere = arguments.flag("everywhere", false);
+    if (!at && !everywhere) arguments.fail("needs \"at\", or \"everywhere\": true");
+    brush.radius = float(arguments.number("radius", double(brush.radius), 0.01, 1e5));
+    brush.falloff = float(arguments.number("falloff", 1, 0, 1));
+    brush.slope = glm::vec2{arguments.pair("slope").value_or(glm::dvec2{brush.slope})};
+    brush.altitude = glm::vec2{arguments.pair("altitude").value_or(glm::dvec2{brush.altitude})};
+    const auto strength = float(arguments.number("strength", 1, 0, 1));
+    const io::Scene& scene = script.document().scene();
+    if (!scene.heights()) arguments.fail("this scene has no ground");
+    if (const auto fault = arguments.finish()) return *fault;
+    const auto patch = paintOn(*scene.heights(), coverOf(scene), brush, {.centre = at.value_or(glm::dvec2{0}), .amount = strength}, everywhere);
+    if (!patch) return io::Error{{}, "there is no ground there"};
+    changeCover(script.document(), "Paint", *patch);
+    return io::Value::Object{{"texels", io::Value::Array{patch->size.x, patch->size.y}}};
+}
+
+constexpr ScriptCommand kCommands[] = {{"sculpt", sculpt}, {"paint", paint}};
 
 } // namespace
 

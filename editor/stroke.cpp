@@ -1,5 +1,7 @@
 #include "editor/stroke.h"
 
+#include "editor/painting.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +28,8 @@ std::int64_t cellOf(double metres)
 Stroke::Stroke(Document& document, Brush brush, StrokeKeys keys, std::string name)
     : m_document{document}, m_brush{std::move(brush)}, m_keys{keys}, m_name{std::move(name)}
 {
-    if (m_keys.smooths) m_brush.tool = BrushTool::Smooth;
+    if (m_keys.smooths && !paints(m_brush.tool)) m_brush.tool = BrushTool::Smooth;
+    if (m_keys.inverted && m_brush.tool == BrushTool::Paint) m_brush.tool = BrushTool::Erase;
     if (m_keys.inverted && m_brush.tool == BrushTool::Raise) m_brush.tool = BrushTool::Lower;
     else if (m_keys.inverted && m_brush.tool == BrushTool::Lower) m_brush.tool = BrushTool::Raise;
     m_gesture.emplace(m_document, m_name);
@@ -82,8 +85,15 @@ void Stroke::dab(const glm::dvec2& at)
     if (!map) return;
     float amount = amountOf(m_brush);
     if (m_keys.inverted && (m_brush.tool == BrushTool::Noise || m_brush.tool == BrushTool::Stamp)) amount = -amount;
+    if (paints(m_brush.tool)) return paint({.centre = at, .amount = amount});
     const auto patch = dabOn(*map, m_brush, {.centre = at, .amount = amount, .level = m_level, .number = m_dabs++});
     if (patch) change(*patch);
+}
+
+void Stroke::paint(const Dab& dab)
+{
+    const io::Scene& scene = m_document.scene();
+    if (const auto patch = paintOn(*scene.heights(), coverOf(scene), m_brush, dab)) changeCover(m_document, m_name, *patch);
 }
 
 void Stroke::change(const HeightPatch& patch)

@@ -42,6 +42,7 @@ public:
 
 private:
     void dab(const glm::dvec2& at);
+    void paint(const Dab& dab);
     void lift(const HeightPatch& patch, const io::HeightMap& before);
     void findObjects();
 

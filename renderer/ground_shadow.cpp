@@ -63,9 +63,9 @@ void GroundShadow::coarsen(const io::HeightMap& map, const io::HeightMap* before
     m_size = (map.size - 1) / step + 1;
     m_cell = map.metresPerTexel * step;
     m_heights.resize(std::size_t(m_size.x) * m_size.y);
-    for (int tz = 0; tz < map.tiles().y; ++tz)
-        for (int tx = 0; tx < map.tiles().x; ++tx) {
-            if (before && before->tile({tx, tz}) == map.tile({tx, tz})) continue;
+    for (int tz = 0; tz < map.field().tiles().y; ++tz)
+        for (int tx = 0; tx < map.field().tiles().x; ++tx) {
+            if (before && before->field().tile({tx, tz}) == map.field().tile({tx, tz})) continue;
             const io::TexelRect rect = io::texelsOf({tx, tz});
             const glm::ivec2 low = (glm::ivec2{rect.low} + step - 1) / step, high = glm::min((glm::ivec2{rect.high} + step - 1) / step, m_size);
             for (int z = low.y; z < high.y; ++z)

@@ -166,7 +166,7 @@ void Terrain::makeGrid()
 void Terrain::update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes)
 {
     const bool fields = changes.terrain || changes.everything;
-    if (!fields && changes.heights.empty()) return;
+    if (!fields && changes.heights.empty() && changes.cover.empty()) return;
     const auto& heights = scene.heights();
     const bool usable = heights && heights->size.x >= 2 && heights->size.y >= 2;
     if (!usable) {
@@ -175,8 +175,10 @@ void Terrain::update(const io::Scene& scene, const io::Assets& assets, const io:
         m_heights = {};
         m_normals = {};
         m_nodes.clear();
+        updateCover(nullptr, changes);
         return;
     }
+    updateCover(scene.cover(), changes);
     const bool sameShape = m_map && m_map->size == heights->size && m_map->metresPerTexel == heights->metresPerTexel &&
                            m_map->origin == heights->origin;
     const bool another = m_map != heights;
@@ -208,6 +210,24 @@ void Terrain::uploadHeights()
     m_block.lastTexel = glm::vec2{map.size - 1};
     m_block.texelSize = 1.0f / glm::vec2{map.size};
     m_block.metres = float(map.metresPerTexel);
+}
+
+void Terrain::updateCover(const std::shared_ptr<const io::CoverMap>& cover, const io::Changes& changes)
+{
+    if (cover == m_coverMap) return;
+    const bool sameShape = cover && m_coverMap && cover->size() == m_coverMap->size();
+    m_coverMap = cover;
+    if (!cover) {
+        m_cover = {};
+    } else if (changes.everything || !sameShape) {
+        m_cover = gl::Texture{{.label = "ground cover", .size = cover->size(), .filter = GL_NEAREST}};
+        m_cover.upload(cover->read(cover->rect()).data(), GL_RGBA, GL_UNSIGNED_BYTE);
+    } else {
+        for (const io::TexelRect& changed : changes.cover) {
+            const io::TexelRect rect = common(changed, cover->rect());
+            m_cover.uploadPart(rect.low, rect.high - rect.low, cover->read(rect).data(), GL_RGBA, GL_UNSIGNED_BYTE);
+        }
+    }
 }
 
 void Terrain::changeHeights(const io::TexelRect& changed)
@@ -361,6 +381,7 @@ void Terrain::bind(GpuFrame& gpu) const
               {GROUND_NORMALS_UNIT, &m_normals},
               {LAYER_COLOURS_UNIT, &m_layerColours},
               {LAYER_NORMALS_UNIT, &m_layerNormals}});
+    if (m_cover) gpu.bind({{COVER_UNIT, &m_cover}});
 }
 
 void Terrain::bindForShadows(GpuFrame& gpu) const

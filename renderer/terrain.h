@@ -35,6 +35,7 @@ public:
     void draw(GpuFrame& gpu, const Draw& draw);
 
     int layers() const { return m_block.layers; } // at least 1
+    bool painted() const { return bool(m_cover); }
     io::WorldBox bounds() const;
     std::uint64_t revision() const { return m_revision; } // counts changes of all of it
     // Where the ground rose or sank since the last forgetTouched(): spheres, m, that hold it as it was and as it is.
@@ -44,6 +45,7 @@ public:
 
 private:
     void uploadHeights();
+    void updateCover(const std::shared_ptr<const io::CoverMap>& cover, const io::Changes& changes);
     void changeHeights(const io::TexelRect& changed);
     void uploadNormals(const io::TexelRect& changed);
     void uploadLayers(const io::Terrain& terrain, const io::Assets& assets);
@@ -56,6 +58,8 @@ private:
     gl::Texture m_heights; // m
     gl::Texture m_normals; // x and z of the unit normal
     std::vector<Normals> m_normalMips; // as uploaded: a change makes those above it anew
+    std::shared_ptr<const io::CoverMap> m_coverMap;
+    gl::Texture m_cover; // as io::packed()
     gl::Texture m_layerColours; // height of the cover in alpha
     gl::Texture m_layerNormals;
     gl::Buffer m_gridVertices, m_gridIndices;

@@ -2,6 +2,7 @@
 
 #include "editor/editor.h"
 #include "editor/field_ui.h"
+#include "editor/painting.h"
 #include "editor/text.h"
 #include "editor/widgets.h"
 #include "io/base/log.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 
 namespace editor {
 namespace {
@@ -47,11 +49,35 @@ std::shared_ptr<const io::HeightGrid> readStamp(const fs::path& file)
     return stamp;
 }
 
+// change(layers, numbers): which one each was; what was painted goes with them.
 void changeLayers(Editor& editor, const char* stepKey, auto&& change)
 {
-    io::Terrain terrain = editor.document()->scene().terrain();
-    change(terrain.layers);
-    editor.step(stepKey, [&](Document& document) { setTerrain(document, tr(stepKey), std::move(terrain)); });
+    std::vector<io::TerrainLayer> layers = editor.document()->scene().terrain().layers;
+    std::vector<int> numbers(layers.size()), newNumbers(layers.size(), -1);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    change(layers, numbers);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        newNumbers[std::size_t(numbers[i])] = int(i);
+    editor.step(stepKey, [&](Document& document) { setLayers(document, tr(stepKey), std::move(layers), newNumbers); });
+}
+
+std::vector<std::string> layerNames(const Document& document)
+{
+    std::vector<std::string> names;
+    for (const io::TerrainLayer& layer : document.scene().terrain().layers)
+        names.push_back(layer.name.empty() ? tr("ground.nameless") : layer.name);
+    return names;
+}
+
+void layerChoice(const Document& document, const char* key, int& layer)
+{
+    const std::vector<std::string> names = layerNames(document);
+    if (names.empty()) return;
+    layer = std::clamp(layer, 0, int(names.size()) - 1);
+    ui::propertyLabel(tr(key));
+    ImGui::PushID(key);
+    ui::combo("##layer", tr(key), names, layer);
+    ImGui::PopID();
 }
 
 } // namespace
@@ -97,12 +123,20 @@ void TerrainPanel::sculpting(Editor& editor)
         if (on) viewport.sculpting = false;
         else viewport.sculptWith(editor, BrushTool(i));
     }
+    if (paints(viewport.brush.tool) && viewport.brush.tool != BrushTool::Erase) layerChoice(*editor.document(), "ground.layer", viewport.brush.layer);
+    if (viewport.brush.tool == BrushTool::Replace) layerChoice(*editor.document(), "ground.replaced", viewport.brush.replaced);
     FieldUi ui{{.prefix = "brush.",
                 .defaults = scalarsOf(Brush{.tool = viewport.brush.tool, .levelGiven = viewport.brush.levelGiven}),
                 .files = [this](std::string_view key) { return key == "brush.stamp" ? m_textures : std::vector<std::string>{}; }}};
     fields(ui, viewport.brush);
     if (ui.changedKey() == "brush.stamp") viewport.brush.stamp = readStamp(editor.document()->project().folder / viewport.brush.stampFile);
-    ui::checkbox("follow", tr("ground.follow"), viewport.objectsFollow);
+    if (paints(viewport.brush.tool)) {
+        if (ui::button("fill", tr("ground.fill")))
+            editor.step("undo.fill", [&](Document& document) { fillCover(document, tr("undo.fill"), viewport.brush); });
+        ui::tooltip(tr("ground.fill_tip"));
+    } else {
+        ui::checkbox("follow", tr("ground.follow"), viewport.objectsFollow);
+    }
     ui::softText(tr("ground.brush_keys"));
 }
 
@@ -135,7 +169,7 @@ void TerrainPanel::layers(Editor& editor)
     }
     ImGui::Dummy({0, 2});
     if (ui::button("add", tr("ground.add")))
-        changeLayers(editor, "undo.add_layer", [](std::vector<io::TerrainLayer>& list) {
+        changeLayers(editor, "undo.add_layer", [](std::vector<io::TerrainLayer>& list, std::vector<int>&) {
             list.push_back({.name = tr("ground.new_name")});
         });
 }
@@ -153,11 +187,19 @@ bool TerrainPanel::layerButtons(Editor& editor, std::size_t index)
     const bool down = button("down", Icon::ChevronDown, "ground.later", index < last);
     const bool remove = button("remove", Icon::Trash, "ground.remove", true);
     ImGui::NewLine();
-    using Layers = std::vector<io::TerrainLayer>;
-    if (up) changeLayers(editor, "undo.move_layer", [=](Layers& list) { std::swap(list[index], list[index - 1]); });
-    if (down) changeLayers(editor, "undo.move_layer", [=](Layers& list) { std::swap(list[index], list[index + 1]); });
+    const auto exchange = [&](std::size_t with) {
+        changeLayers(editor, "undo.move_layer", [=](auto& list, auto& numbers) {
+            std::swap(list[index], list[with]);
+            std::swap(numbers[index], numbers[with]);
+        });
+    };
+    if (up) exchange(index - 1);
+    if (down) exchange(index + 1);
     if (remove)
-        changeLayers(editor, "undo.remove_layer", [=](Layers& list) { list.erase(list.begin() + long(index)); });
+        changeLayers(editor, "undo.remove_layer", [=](auto& list, auto& numbers) {
+            list.erase(list.begin() + long(index));
+            numbers.erase(numbers.begin() + long(index));
+        });
     return !up && !down && !remove;
 }
 

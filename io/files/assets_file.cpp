@@ -1,6 +1,7 @@
 // Reads what a scene names: models, height map, layer images; each file once, several at a time.
 #include "io/base/paths.h"
 #include "io/files/card_trimming.h"
+#include "io/files/cover_map_file.h"
 #include "io/files/height_map_file.h"
 #include "io/files/image_file.h"
 #include "io/files/levels.h"
@@ -127,11 +128,19 @@ void addImageJobs(const World& world, Assets& assets, std::vector<Job>& jobs)
     }
 }
 
-void addHeightJob(const World& world, std::shared_ptr<const HeightMap>& heights, std::vector<Job>& jobs)
+struct Ground {
+    std::shared_ptr<const HeightMap> heights;
+    std::shared_ptr<const CoverMap> cover;
+};
+
+void addGroundJob(const World& world, Ground& ground, std::vector<Job>& jobs)
 {
     const Terrain& terrain = world.scene.terrain();
     if (terrain.heightMap.empty()) return;
-    jobs.push_back({terrain.heightMap, [&](Complaints& complaints) { heights = readHeights(world, terrain, complaints); }});
+    jobs.push_back({terrain.heightMap, [&](Complaints& complaints) {
+                        ground.heights = readHeights(world, terrain, complaints);
+                        if (ground.heights) ground.cover = readCover(world, terrain, ground.heights->size, complaints);
+                    }});
 }
 
 } // namespace
@@ -161,21 +170,33 @@ std::shared_ptr<const HeightMap> readHeights(const World& world, const Terrain& 
     return nullptr;
 }
 
+std::shared_ptr<const CoverMap> readCover(const World& world, const Terrain& terrain, glm::ivec2 size, Complaints& complaints)
+{
+    if (terrain.coverMap.empty()) return nullptr;
+    const Result<std::filesystem::path> path = insideFolder(world.project.folder, terrain.coverMap);
+    Result<CoverMap> cover = path ? readCoverMap(*path, size) : Result<CoverMap>{path.error()};
+    if (cover) return std::make_shared<const CoverMap>(std::move(*cover));
+    complaints.push_back(complaintOf((world.project.folder / world.entry.file).string(), "terrain.cover_map", cover.error()));
+    return nullptr;
+}
+
 Result<Assets> readAssets(World& world, Complaints& complaints, const Progress& progress)
 {
     Assets assets;
     std::vector<Job> jobs;
-    std::shared_ptr<const HeightMap> heights;
-    addHeightJob(world, heights, jobs); // the largest first
+    Ground ground;
+    addGroundJob(world, ground, jobs); // the largest first
     addImageJobs(world, assets, jobs);
     addModelJobs(world, assets, jobs);
     const bool complete = runAll(jobs, progress);
     for (const Job& job : jobs)
         complaints.insert(complaints.end(), job.complaints.begin(), job.complaints.end());
     if (!complete) return Error{world.project.folder.string(), "reading was cancelled"};
-    if (heights) {
-        world.savedHeights = heights;
-        world.scene.exchange(std::move(heights));
+    if (ground.heights) {
+        world.savedHeights = ground.heights;
+        world.savedCover = ground.cover;
+        world.scene.exchange(std::move(ground.heights));
+        world.scene.exchange(std::move(ground.cover));
     }
     return assets;
 }

@@ -2,6 +2,7 @@
 
 #include "io/base/log.h"
 #include "io/base/paths.h"
+#include "io/files/cover_map_file.h"
 #include "io/files/documents.h"
 #include "io/files/height_map_file.h"
 #include "io/files/scene_file.h"
@@ -171,6 +172,18 @@ Result<Terrain> addHeights(FileTransaction& transaction, const World& world)
     return terrain;
 }
 
+Status addCover(FileTransaction& transaction, const World& world)
+{
+    const std::string& file = world.scene.terrain().coverMap;
+    const auto& cover = world.scene.cover();
+    if (!cover || file.empty() || cover == world.savedCover || (world.savedCover && *cover == *world.savedCover)) return {};
+    if (const Result<fs::path> path = insideFolder(world.project.folder, file); !path) return path.error();
+    Result<std::string> bytes = encodeCoverMap(*cover);
+    if (!bytes) return Error{shown(world.project.folder, file), bytes.error().what};
+    transaction.add(file, *std::move(bytes));
+    return {};
+}
+
 // What the files hold is what the world now remembers of them.
 void remember(World& world, std::vector<std::string> templates, decltype(World::templateFiles) templateFiles)
 {
@@ -227,6 +240,7 @@ Result<FileTransaction::Report> saveWorld(World& world)
     addIfChanged(transaction, folder, kProjectFile, body, projectText(body), readProjectText);
     Result<Terrain> terrain = addHeights(transaction, world);
     if (!terrain) return terrain.error();
+    if (const Status painted = addCover(transaction, world); !painted) return painted.error();
     transaction.add(world.entry.file, sceneText(world.scene, environmentFile, *terrain));
     addIfChanged(transaction, folder, environmentFile, world.scene.environment(),
                  environmentText(world.scene.environment()), readEnvironmentText);
@@ -249,6 +263,7 @@ Result<FileTransaction::Report> saveWorld(World& world)
                      (folder / kept).string());
     world.scene.exchange(*std::move(terrain)); // whose two heights may lie farther apart now
     world.savedHeights = world.scene.heights();
+    world.savedCover = world.scene.cover();
     remember(world, std::move(body.templates), std::move(templateFiles));
     return report;
 }

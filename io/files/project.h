@@ -37,6 +37,7 @@ struct World {
     std::string environmentFile; // environments/NAME.json, named by the scene
     Scene scene;                 // objects, templates, environment, terrain; cameras and paths from project.json
     std::shared_ptr<const HeightMap> savedHeights; // as their file holds them; null: not read or written yet
+    std::shared_ptr<const CoverMap> savedCover; // likewise
     // Templates that were read from a file or saved to it, and what it held (fingerprint()): only that file is
     // removed when its template is deleted.
     std::map<std::string, std::uint64_t, std::less<>> templateFiles;
@@ -57,6 +58,8 @@ std::vector<std::string> otherScenesWith(const World& world, std::string_view te
 Result<Assets> readAssets(World& world, Complaints& complaints, const Progress& progress = {});
 // The heights that a terrain of this project names; null, with a complaint, where they cannot be read.
 std::shared_ptr<const HeightMap> readHeights(const World& world, const Terrain& terrain, Complaints& complaints);
+// The cover of that name over heights of that size; likewise.
+std::shared_ptr<const CoverMap> readCover(const World& world, const Terrain& terrain, glm::ivec2 size, Complaints& complaints);
 std::shared_ptr<const Model> readTemplateModel(const World& world, TemplateId id, Complaints& complaints);
 
 // `wold new`: from a starter that ships ("empty", "valley"). The folder must be missing or empty.

@@ -15,12 +15,13 @@ struct Changes {
     bool cameras = false;
     bool terrain = false;
     std::vector<TexelRect> heights; // parts of the ground that rose or sank; all of it for another map
+    std::vector<TexelRect> cover;   // parts of it that were painted
     bool everything = false; // another scene: rebuild
 
     bool none() const
     {
         return objects.empty() && templates.empty() && !environment && !cameras && !terrain &&
-               heights.empty() && !everything;
+               heights.empty() && cover.empty() && !everything;
     }
     void add(const Changes& other)
     {
@@ -30,6 +31,7 @@ struct Changes {
         cameras |= other.cameras;
         terrain |= other.terrain;
         heights.insert(heights.end(), other.heights.begin(), other.heights.end());
+        cover.insert(cover.end(), other.cover.begin(), other.cover.end());
         everything |= other.everything;
     }
 };

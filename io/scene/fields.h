@@ -26,6 +26,7 @@ struct Hint {
     double max = std::numeric_limits<double>::max();
     const char* unit = "";
     Style style = Style::Plain;
+    bool optional = false; // a text that is not written while it is empty
 };
 
 // `T` itself or `const T`, so that one list serves readers and writers.
@@ -122,6 +123,7 @@ void fields(auto& v, Of<TerrainLayer> auto& l)
 void fields(auto& v, Of<Terrain> auto& t)
 {
     v("height_map", t.heightMap, Hint{.style = Style::Path});
+    v("cover_map", t.coverMap, Hint{.style = Style::Path, .optional = true});
     v("metres_per_texel", t.metresPerTexel, Hint{.min = 0.001, .max = 10000, .unit = "m"});
     v("origin", t.origin, Hint{.min = -1e7, .max = 1e7, .unit = "m"});
     v("min_height", t.minHeight, Hint{.min = -1e5, .max = 1e5, .unit = "m"});

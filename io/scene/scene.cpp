@@ -129,6 +129,10 @@ std::shared_ptr<const HeightMap> Scene::exchange(std::shared_ptr<const HeightMap
 {
     return std::exchange(m_heights, std::move(heights));
 }
+std::shared_ptr<const CoverMap> Scene::exchange(std::shared_ptr<const CoverMap> cover)
+{
+    return std::exchange(m_cover, std::move(cover));
+}
 std::vector<Camera> Scene::exchange(std::vector<Camera> cameras)
 {
     return std::exchange(m_cameras, std::move(cameras));
@@ -147,7 +151,8 @@ void Scene::reserve(std::size_t objects)
 bool sameContent(const Scene& a, const Scene& b)
 {
     if (a.objects().size() != b.objects().size() || a.environment() != b.environment() || a.terrain() != b.terrain() ||
-        !a.heights() != !b.heights() || (a.heights() && *a.heights() != *b.heights()) || !std::ranges::equal(a.cameras(), b.cameras()) || !std::ranges::equal(a.paths(), b.paths()))
+        !a.heights() != !b.heights() || (a.heights() && *a.heights() != *b.heights()) ||
+        !a.cover() != !b.cover() || (a.cover() && *a.cover() != *b.cover()) || !std::ranges::equal(a.cameras(), b.cameras()) || !std::ranges::equal(a.paths(), b.paths()))
         return false;
     for (const Object& object : a.objects()) {
         const Object* other = b.find(object.id);

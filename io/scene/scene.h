@@ -4,6 +4,7 @@
 
 #include "io/scene/camera.h"
 #include "io/scene/changes.h"
+#include "io/scene/cover_map.h"
 #include "io/scene/environment.h"
 #include "io/scene/height_map.h"
 #include "io/scene/ids.h"
@@ -43,6 +44,7 @@ public:
     const Environment& environment() const { return m_environment; }
     const Terrain& terrain() const { return m_terrain; }
     const std::shared_ptr<const HeightMap>& heights() const { return m_heights; } // null: no ground
+    const std::shared_ptr<const CoverMap>& cover() const { return m_cover; } // as large as the heights; null: nothing was painted
     std::span<const Camera> cameras() const { return m_cameras; }
     std::span<const CameraPath> paths() const { return m_paths; }
     const Camera* findCamera(std::string_view name) const;
@@ -59,6 +61,7 @@ public:
     Environment exchange(Environment environment);
     Terrain exchange(Terrain terrain); // heights lie where it says from then on, if that changes
     std::shared_ptr<const HeightMap> exchange(std::shared_ptr<const HeightMap> heights);
+    std::shared_ptr<const CoverMap> exchange(std::shared_ptr<const CoverMap> cover);
     std::vector<Camera> exchange(std::vector<Camera> cameras);
     std::vector<CameraPath> exchange(std::vector<CameraPath> paths);
 
@@ -77,6 +80,7 @@ private:
     Environment m_environment;
     Terrain m_terrain;
     std::shared_ptr<const HeightMap> m_heights;
+    std::shared_ptr<const CoverMap> m_cover;
     std::vector<Camera> m_cameras;
     std::vector<CameraPath> m_paths;
 };

@@ -27,6 +27,7 @@ struct TerrainLayer {
 
 struct Terrain {
     std::string heightMap;      // terrain/….png inside the project; empty: no terrain
+    std::string coverMap;       // terrain/….png, what was painted on it; empty: nothing
     double metresPerTexel = 1;
     glm::dvec2 origin{0};       // world x and z of texel (0, 0)
     double minHeight = 0;       // m, of the lowest value a file can hold (for float files: not used)

@@ -1,4 +1,4 @@
-// The ground into the GBuffer: up to eight layers by slope and altitude, of which the two that show most are sampled.
+// The ground into the GBuffer: up to 32 layers by slope and altitude or by hand, of which the two that show most are sampled.
 #include "gbuffer_out.glsl"
 #include "terrain.glsl"
 
@@ -73,6 +73,54 @@ void consider(inout Choice c, const int index, vec3 where)
     c.firstShare = top ? share : c.firstShare;
 }
 
+#ifdef PAINTED
+layout(binding = COVER_UNIT) uniform sampler2D coverMap; // io::packed(): lower layer, upper layer, share of the upper one, painted
+
+// What was painted covers the rules. The four texels around name two layers each: all that are the same count together, and the
+// two that then show most are kept.
+void showPainted(inout Choice c, vec2 texel)
+{
+    vec2 at = clamp(texel, vec2(0.0), terrain.lastTexel);
+    ivec2 low = min(ivec2(at), ivec2(terrain.lastTexel) - 1);
+    vec2 f = at - vec2(low);
+    vec4 near[4] = vec4[](texelFetch(coverMap, low, 0), texelFetch(coverMap, low + ivec2(1, 0), 0),
+                          texelFetch(coverMap, low + ivec2(0, 1), 0), texelFetch(coverMap, low + ivec2(1, 1), 0));
+    if (near[0].a + near[1].a + near[2].a + near[3].a == 0.0) return;
+    vec4 weight = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
+    int layer[10];
+    float share[10];
+    float rules = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        float painted = near[i].a * weight[i];
+        rules += weight[i] - painted;
+        layer[i] = int(near[i].r * 255.0 + 0.5);
+        share[i] = painted * (1.0 - near[i].b);
+        layer[i + 4] = int(near[i].g * 255.0 + 0.5);
+        share[i + 4] = painted * near[i].b;
+    }
+    float most = max(c.firstShare + c.secondShare, 1e-4);
+    layer[8] = c.first;
+    share[8] = rules * c.firstShare / most;
+    layer[9] = c.second;
+    share[9] = rules * c.secondShare / most;
+    c.firstShare = c.secondShare = 0.0;
+    for (int i = 0; i < 10; ++i) {
+        float all = 0.0;
+        for (int j = 0; j < 10; ++j)
+            all += layer[j] == layer[i] ? share[j] : 0.0;
+        bool known = layer[i] == c.first && c.firstShare > 0.0;
+        bool top = !known && all > c.firstShare;
+        bool next = !known && !top && all > c.secondShare;
+        c.second = top ? c.first : next ? layer[i] : c.second;
+        c.secondShare = top ? c.firstShare : next ? all : c.secondShare;
+        c.first = top ? layer[i] : c.first;
+        c.firstShare = top ? all : c.firstShare;
+    }
+    c.first = min(c.first, LAYERS - 1);
+    c.second = min(c.second, LAYERS - 1);
+}
+#endif
+
 void main()
 {
     vec2 texel = place.xy;
@@ -89,6 +137,78 @@ void main()
     // layer: software GL reads a uniform block far faster by constant numbers than by a loop's.
     Choice choice = Choice(1.0, 0, 0, 0.0, 0.0);
     vec3 where = quadShared(vec3(slope, place.z, ragged));
+#if LAYERS > 31
+    consider(choice, 31, where);
+#endif
+#if LAYERS > 30
+    consider(choice, 30, where);
+#endif
+#if LAYERS > 29
+    consider(choice, 29, where);
+#endif
+#if LAYERS > 28
+    consider(choice, 28, where);
+#endif
+#if LAYERS > 27
+    consider(choice, 27, where);
+#endif
+#if LAYERS > 26
+    consider(choice, 26, where);
+#endif
+#if LAYERS > 25
+    consider(choice, 25, where);
+#endif
+#if LAYERS > 24
+    consider(choice, 24, where);
+#endif
+#if LAYERS > 23
+    consider(choice, 23, where);
+#endif
+#if LAYERS > 22
+    consider(choice, 22, where);
+#endif
+#if LAYERS > 21
+    consider(choice, 21, where);
+#endif
+#if LAYERS > 20
+    consider(choice, 20, where);
+#endif
+#if LAYERS > 19
+    consider(choice, 19, where);
+#endif
+#if LAYERS > 18
+    consider(choice, 18, where);
+#endif
+#if LAYERS > 17
+    consider(choice, 17, where);
+#endif
+#if LAYERS > 16
+    consider(choice, 16, where);
+#endif
+#if LAYERS > 15
+    consider(choice, 15, where);
+#endif
+#if LAYERS > 14
+    consider(choice, 14, where);
+#endif
+#if LAYERS > 13
+    consider(choice, 13, where);
+#endif
+#if LAYERS > 12
+    consider(choice, 12, where);
+#endif
+#if LAYERS > 11
+    consider(choice, 11, where);
+#endif
+#if LAYERS > 10
+    consider(choice, 10, where);
+#endif
+#if LAYERS > 9
+    consider(choice, 9, where);
+#endif
+#if LAYERS > 8
+    consider(choice, 8, where);
+#endif
 #if LAYERS > 7
     consider(choice, 7, where);
 #endif
@@ -111,6 +231,9 @@ void main()
     consider(choice, 1, where);
 #endif
     consider(choice, 0, where);
+#ifdef PAINTED
+    showPainted(choice, quadShared(vec3(texel, 0.0)).xy);
+#endif
 
     // Cliffs are projected from the side that faces them most; noise breaks the line where sides meet.
     float steep = max(abs(n.x), abs(n.z)) + (near.a - 0.5) * 0.25 - n.y * 1.15;

@@ -88,6 +88,44 @@ TEST(Terrain, APartThatChangedIsDrawnAsIfAllWereNew)
     EXPECT_EQ(test::shared().glErrors(), 0u);
 }
 
+TEST(Terrain, WhatWasPaintedIsShownAndFollowsInPart)
+{
+    const auto map = test::heightMap({600, 300}, 1, [](double, double) { return 0.0; });
+    test::TestWorld world;
+    world.scene.exchange(io::Terrain{.heightMap = "terrain/map.png",
+                                     .origin = map->origin,
+                                     .layers = {{.name = "green", .colour = {0, 0.5f, 0}}, {.name = "red", .colour = {0.5f, 0, 0}, .slope = {80, 90}}}});
+    world.scene.exchange(map);
+    renderer::FrameInput in = test::frame(kSize, {.eye = {0, 60, 0}, .pitch = -90});
+    in.show = renderer::Show::Albedo;
+    const auto picture = [&] {
+        test::shared().render(in);
+        return test::shared().readPicture();
+    };
+    const auto red = [](const io::Image& image) {
+        int count = 0;
+        for (int y = 0; y < image.size.y; ++y)
+            for (int x = 0; x < image.size.x; ++x)
+                count += image.row<glm::u8vec4>(y)[x].x > image.row<glm::u8vec4>(y)[x].y;
+        return count;
+    };
+    test::load(world);
+    EXPECT_EQ(red(picture()), 0); // it is level: the rules show green alone
+
+    const std::vector<std::uint32_t> whole(64 * 32, io::packed({1, 1, 0, 1})), half(64 * 32, io::packed({0, 1, 0.5f, 1}));
+    world.scene.exchange(std::make_shared<const io::CoverMap>(io::CoverMap{map->size}.with(half, {64, 32}, {190, 130})));
+    test::load(world);
+    const io::Image mixed = picture();
+    world.scene.exchange(std::make_shared<const io::CoverMap>(world.scene.cover()->with(whole, {64, 32}, {280, 134})));
+    test::shared().update(world.scene, world.assets, {.cover = {{{280, 134}, {344, 166}}}});
+    const io::Image followed = picture();
+    test::load(world);
+    const io::Image fresh = picture();
+    EXPECT_GT(red(fresh), red(mixed) + 1500);
+    EXPECT_EQ(followed.bytes, fresh.bytes);
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
 // A map of 16 m, so that the position buffer, which repeats each 16 m, says plainly where a pixel's ground lies.
 TEST(Terrain, NearTheEyeItIsTheTrianglesOfTheMap)
 {

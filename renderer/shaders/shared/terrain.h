@@ -6,7 +6,7 @@ SHARED_BEGIN
 
 #define TERRAIN_QUADS 32 // along a side of a node's grid
 #define TERRAIN_LEVELS 16
-#define TERRAIN_LAYERS 8
+#define TERRAIN_LAYERS 32
 
 struct TerrainPatch {
     vec2 origin; // texel of the first vertex
@@ -33,7 +33,7 @@ struct Terrain {
     vec4 morph[TERRAIN_LEVELS];         // x: distance where it begins, y: 1 / its length
     TerrainLayer layer[TERRAIN_LAYERS];
 };
-SHARED_STRUCT_END(Terrain, 944)
+SHARED_STRUCT_END(Terrain, 2864)
 
 SHARED_END
 #endif

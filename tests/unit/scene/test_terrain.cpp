@@ -78,7 +78,7 @@ TEST(HeightMap, AChangeSharesTheTilesThatItDoesNotTouch)
     const HeightMap changed = map.with(part, {500, 100}); // across two tiles
     for (int z = 0; z < 3; ++z)
         for (int x = 0; x < 3; ++x)
-            EXPECT_EQ(changed.tile({x, z}) == map.tile({x, z}), z != 0 || x == 2) << x << ' ' << z;
+            EXPECT_EQ(changed.field().tile({x, z}) == map.field().tile({x, z}), z != 0 || x == 2) << x << ' ' << z;
     EXPECT_EQ(changed.at(500, 100), -7);
     EXPECT_EQ(changed.at(529, 119), -7);
     EXPECT_EQ(changed.at(530, 119), map.at(530, 119));

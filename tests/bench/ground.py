@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+"""Makes a project with nothing but ground, as ground_bench measures it.
+
+usage: tests/bench/ground.py FOLDER SIDE
+
+Mountains of SIDE x SIDE points, a metre apart, from sums of sines whose phases depend on each other, as a PNG of 16 bits.
+"""
+import array
+import json
+import math
+import pathlib
+import struct
+import sys
+import zlib
+
+
+def rows(side):
+    waves = [(2 * math.pi / (3000 / 1.9**i), 350 / 1.75**i, i * 1.7) for i in range(9)]
+    along = [[math.sin(k * x + p) for x in range(side)] for k, _, p in waves]
+    for z in range(side):
+        line = [0.0] * side
+        for i, (k, size, phase) in enumerate(waves):
+            turned = math.sin(k * z * 1.3 + phase * 2) * size
+            own, shifted = along[i], along[i - 1]
+            other = math.cos(k * z * 0.7 + phase) * size * 0.5
+            line = [h + turned * a + other * b for h, a, b in zip(line, own, shifted)]
+        yield array.array("H", [min(65535, max(0, int((h + 1200) / 2400 * 65535))) for h in line])
+
+
+def png(side):
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    packer, body = zlib.compressobj(1), b""
+    for line in rows(side):
+        line.byteswap()
+        body += packer.compress(b"\0" + line.tobytes())
+    body += packer.flush()
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", side, side, 16, 0, 0, 0, 0)) + chunk(b"IDAT", body) + chunk(b"IEND", b"")
+
+
+def make(folder, side):
+    folder = pathlib.Path(folder)
+    for name in ("scenes", "environments", "templates", "terrain"):
+        (folder / name).mkdir(parents=True, exist_ok=True)
+    write = lambda name, value: (folder / name).write_text(json.dumps(value))
+    write("project.json", {"format": "wold-project", "version": 1, "name": "Ground", "start": "main", "scenes": [{"name": "main", "file": "scenes/main.scene.json"}],
+                           "templates": [], "cameras": [{"name": "walker", "eye": [0, 400, 0]}]})
+    write("environments/main.json", {"format": "wold-environment", "version": 1})
+    write("scenes/main.scene.json", {"format": "wold-scene", "version": 1, "environment": "environments/main.json",
+                                     "terrain": {"height_map": "terrain/heights.png", "metres_per_texel": 1, "origin": [-side / 2, -side / 2], "min_height": 0,
+                                                 "max_height": 2400, "layers": []}, "objects": []})
+    (folder / "terrain/heights.png").write_bytes(png(side))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    make(sys.argv[1], int(sys.argv[2]))
