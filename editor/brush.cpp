@@ -213,7 +213,7 @@ io::HeightGrid eroded(io::HeightGrid heights, const Brush& brush, const Dab& dab
     const glm::vec2 centre{(dab.centre - heights.origin) / heights.metresPerTexel};
     const float reach = brush.radius / texel;
     Rain rain{heights, io::hash(int(dab.number), brush.seed, 77u)};
-    const int drops = std::clamp(int(reach * reach * 0.6f), 8, 40'000);
+    const int drops = std::clamp(int(reach * reach * 0.2f), 8, 40'000);
     for (int i = 0; i < drops; ++i)
         if (const glm::vec2 at = rain.near(centre, reach); rain.inside(at)) rain.drop(at);
     return heights;

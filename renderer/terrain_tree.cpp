@@ -29,7 +29,7 @@ TerrainTree::TerrainTree(const io::HeightMap& heights) : m_size{heights.size}
         if (made.nodes == glm::ivec2{1}) break;
     }
     measureNodes(heights, {0, 0}, m_levels.front().nodes);
-    measureError(heights);
+    measureErrors(heights, heights.texels());
 }
 
 void TerrainTree::update(const io::HeightMap& heights, const io::TexelRect& changed)
@@ -37,7 +37,7 @@ void TerrainTree::update(const io::HeightMap& heights, const io::TexelRect& chan
     // Nodes share the texels of their borders.
     const glm::ivec2 low = glm::max(glm::ivec2{changed.low} - 1, glm::ivec2{0}) / TERRAIN_QUADS;
     measureNodes(heights, low, glm::min((glm::ivec2{changed.high} - 1) / TERRAIN_QUADS + 1, m_levels.front().nodes));
-    measureError(heights);
+    measureErrors(heights, changed);
 }
 
 glm::vec2 TerrainTree::rangeOf(const io::TexelRect& rect) const
@@ -80,24 +80,39 @@ void TerrainTree::measureNodes(const io::HeightMap& heights, glm::ivec2 low, glm
             }
 }
 
-// On a sparse set of texels: how far the middle of an edge of the coarser grid lies from the map.
-void TerrainTree::measureError(const io::HeightMap& heights)
+// On a sparse set of texels: how far the middle of an edge of the coarser grid lies from the map. Where heights changed; the
+// share that nearly all stay under is sought again only if one of those crossed it.
+void TerrainTree::measureErrors(const io::HeightMap& heights, const io::TexelRect& changed)
 {
-    for (int level = 1; level < levels(); ++level) {
-        const int step = 1 << level;
-        std::vector<float> errors;
+    for (int l = 1; l < levels(); ++l) {
+        Level& level = m_levels[std::size_t(l)];
+        const int step = 1 << l;
         const glm::ivec2 stride = glm::max((m_size / (step * 96)) * step, glm::ivec2{step});
-        for (int z = 0; z + step < m_size.y; z += stride.y)
-            for (int x = 0; x + step < m_size.x; x += stride.x) {
+        const glm::ivec2 count = glm::max((m_size - step + stride - 1) / stride, glm::ivec2{0});
+        bool crossed = level.strays.empty();
+        level.strays.resize(std::size_t(count.x) * count.y * 3);
+        if (level.strays.empty()) continue;
+        const glm::ivec2 first = glm::max(glm::ivec2{changed.low} - step, glm::ivec2{0}) / stride;
+        const glm::ivec2 last = glm::min((glm::ivec2{changed.high} - 1) / stride, count - 1);
+        for (int row = first.y; row <= last.y; ++row)
+            for (int column = first.x; column <= last.x; ++column) {
+                const int x = column * stride.x, z = row * stride.y;
                 const float a = heights.at(x, z), b = heights.at(x + step, z), c = heights.at(x, z + step);
-                errors.push_back(std::abs(heights.at(x + step / 2, z) - (a + b) / 2));
-                errors.push_back(std::abs(heights.at(x, z + step / 2) - (a + c) / 2));
-                errors.push_back(std::abs(heights.at(x + step / 2, z + step / 2) - (b + c) / 2));
+                const float now[] = {std::abs(heights.at(x + step / 2, z) - (a + b) / 2), std::abs(heights.at(x, z + step / 2) - (a + c) / 2),
+                                     std::abs(heights.at(x + step / 2, z + step / 2) - (b + c) / 2)};
+                float* before = &level.strays[(std::size_t(row) * count.x + column) * 3];
+                for (int i = 0; i < 3; ++i) {
+                    crossed |= now[i] != before[i] && (before[i] - level.usual) * (now[i] - level.usual) <= 0;
+                    before[i] = now[i];
+                }
             }
-        if (errors.empty()) continue;
-        const auto rank = errors.begin() + std::ptrdiff_t(double(errors.size() - 1) * 0.98);
-        std::ranges::nth_element(errors, rank);
-        m_levels[std::size_t(level)].error = std::max(*rank, m_levels[std::size_t(level) - 1].error);
+        if (crossed) {
+            std::vector<float> sorted = level.strays;
+            const auto rank = sorted.begin() + std::ptrdiff_t(double(sorted.size() - 1) * 0.98);
+            std::ranges::nth_element(sorted, rank);
+            level.usual = *rank;
+        }
+        level.error = std::max(level.usual, m_levels[std::size_t(l) - 1].error);
     }
 }
 

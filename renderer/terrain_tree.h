@@ -67,10 +67,12 @@ private:
     struct Level {
         glm::ivec2 nodes{0};
         std::vector<glm::vec2> lowHigh; // m
-        float error = 0;                // m, the most that nearly all of this level strays from the finest
+        std::vector<float> strays;      // m, of a sparse set of places: how far its edges lie from the map
+        float usual = 0;                // m, that nearly all of those stay under
+        float error = 0;                // m, that of this level or of a finer one
     };
     void measureNodes(const io::HeightMap& heights, glm::ivec2 low, glm::ivec2 high);
-    void measureError(const io::HeightMap& heights);
+    void measureErrors(const io::HeightMap& heights, const io::TexelRect& changed);
     bool selectNode(const Eye& eye, int level, glm::ivec2 node, std::vector<GroundNode>& out) const;
     bool touches(const Eye& eye, int level, glm::ivec2 node, double range) const;
 

@@ -102,13 +102,19 @@ float simplex(glm::vec2 p, std::uint32_t seed)
     constexpr float kSkew = 0.36602540f, kBack = 0.21132487f; // (sqrt(3) - 1) / 2, (3 - sqrt(3)) / 6
     constexpr float kDiagonal = 0.70710678f;
     constexpr glm::vec2 kSlopes[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {kDiagonal, kDiagonal}, {-kDiagonal, kDiagonal}, {kDiagonal, -kDiagonal}, {-kDiagonal, -kDiagonal}};
-    const glm::vec2 cell = glm::floor(p + (p.x + p.y) * kSkew);
+    const auto floored = [](float v) { // std::floor() is a call where the machine's own is not asked for
+        const auto whole = float(int(v));
+        return whole > v ? whole - 1 : whole;
+    };
+    const float skew = (p.x + p.y) * kSkew;
+    const glm::vec2 cell{floored(p.x + skew), floored(p.y + skew)};
     const glm::vec2 a = p - cell + (cell.x + cell.y) * kBack;
     const glm::vec2 step = a.x > a.y ? glm::vec2{1, 0} : glm::vec2{0, 1};
+    const std::uint32_t start = seed * 0xc2b2ae35u;
     const auto corner = [&](const glm::vec2& offset, const glm::vec2& at) {
         const float near = 0.5f - glm::dot(offset, offset);
         if (near <= 0) return 0.0f;
-        return near * near * near * near * glm::dot(kSlopes[hash(int(at.x), int(at.y), seed) & 7], offset);
+        return near * near * near * near * glm::dot(kSlopes[hash(std::uint32_t(int(at.x)) * 0x9e3779b9u + std::uint32_t(int(at.y)) * 0x85ebca6bu + start) & 7], offset);
     };
     return 70 * (corner(a, cell) + corner(a - step + kBack, cell + step) + corner(a - 1.0f + 2 * kBack, cell + 1.0f));
 }

@@ -78,11 +78,13 @@ void measureChoosing(Ground& ground, io::Value& figures)
             io::Camera camera{.eye = {middle.x + i * 3.0, 0, middle.y}, .yaw = float(i * 11), .pitch = above > 100 ? -35.0f : -3.0f};
             camera.eye.y = map.height(camera.eye.x, camera.eye.z).value_or(0) + above;
             const renderer::Eye eye = renderer::eyeOf(camera, {1280, 720});
+            stream.beginFrame();
             const double start = bench::threadMs();
             ground.terrain().aim(eye, eye);
             const auto draw = ground.terrain().draws(stream, renderer::volumeOf(eye));
             times.push_back(bench::threadMs() - start);
             counts.push_back(double(draw.triangles));
+            stream.endFrame();
         }
         triangles.push_back(io::Value::Object{{"above_m", above}, {"triangles", bench::share(counts, 0.5)}});
     }
