@@ -310,9 +310,13 @@ std::optional<HeightPatch> dabOn(const io::HeightMap& map, const Brush& brush, c
 // A texel knows two layers: a third takes the place of the weaker one.
 io::Cover painted(io::Cover cover, BrushTool tool, int layer, int replaced, float share)
 {
+    if (tool == BrushTool::Hole) {
+        cover.hole = share > 0;
+        return cover;
+    }
     if (tool == BrushTool::Erase) {
         cover.painted *= 1 - share;
-        return cover.painted < 1.0f / 255 ? io::Cover{} : cover;
+        return cover.painted < 1.0f / 255 ? io::Cover{.hole = cover.hole} : cover;
     }
     if (tool == BrushTool::Replace) {
         if (share < 0.5f || cover.painted == 0) return cover;
@@ -320,7 +324,7 @@ io::Cover painted(io::Cover cover, BrushTool tool, int layer, int replaced, floa
         if (cover.over == replaced) cover.over = layer;
         return cover;
     }
-    if (cover.painted == 0) return {layer, layer, 0, share};
+    if (cover.painted == 0) return {layer, layer, 0, share, cover.hole};
     const float before = cover.painted;
     cover.painted += (1 - cover.painted) * share;
     // What is painted anew is all of this layer; what was painted already gets its share of it.
@@ -352,7 +356,8 @@ std::optional<CoverPatch> paintOn(const io::HeightMap& map, const io::CoverMap& 
         for (int column = 0; column < patch.size.x; ++column) {
             const int x = ground->low.x + column, z = ground->low.y + row;
             const glm::dvec2 place = ground->before.origin + glm::dvec2{x, z} * ground->before.metresPerTexel;
-            float share = everywhere ? 1.0f : fading(brush, float(glm::distance(place, dab.centre) / brush.radius));
+            const bool cuts = brush.tool == BrushTool::Hole;
+            float share = everywhere ? 1.0f : cuts ? float(glm::distance(place, dab.centre) < double(brush.radius)) : fading(brush, float(glm::distance(place, dab.centre) / brush.radius));
             if (share > 0 && mask) share *= allowed(brush, ground->before, x, z);
             if (share <= 0) continue;
             std::uint32_t& texel = patch.texels[std::size_t(row) * std::size_t(patch.size.x) + std::size_t(column)];

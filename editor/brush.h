@@ -15,13 +15,13 @@
 
 namespace editor {
 
-enum class BrushTool { Raise, Lower, Smooth, Flatten, Ramp, Terrace, Noise, Erode, Slump, Stamp, Paint, Erase, Replace };
+enum class BrushTool { Raise, Lower, Smooth, Flatten, Ramp, Terrace, Noise, Erode, Slump, Stamp, Paint, Erase, Replace, Hole };
 enum class BrushCurve { Smooth, Linear, Dome, Point }; // how a dab fades between its full part and its edge
 enum class BrushNoise { Simplex, Fbm, Ridged };
 
 constexpr auto enumNames(BrushTool)
 {
-    return std::array<std::string_view, 13>{"raise", "lower", "smooth", "flatten", "ramp", "terrace", "noise", "erode", "slump", "stamp", "paint", "erase", "replace"};
+    return std::array<std::string_view, 14>{"raise", "lower", "smooth", "flatten", "ramp", "terrace", "noise", "erode", "slump", "stamp", "paint", "erase", "replace", "hole"};
 }
 constexpr auto enumNames(BrushCurve) { return std::array<std::string_view, 4>{"smooth", "linear", "dome", "point"}; }
 constexpr auto enumNames(BrushNoise) { return std::array<std::string_view, 3>{"simplex", "fbm", "ridged"}; }
@@ -49,16 +49,16 @@ struct Brush {
     bool operator==(const Brush&) const = default;
 };
 
-constexpr bool paints(BrushTool tool) { return tool >= BrushTool::Paint; } // layers; the others shape heights
+constexpr bool paints(BrushTool tool) { return tool >= BrushTool::Paint; } // the cover; the others shape heights
 
 // Those that this tool uses; layers are chosen by name.
 void fields(auto& v, io::Of<Brush> auto& b)
 {
     using enum BrushTool;
     v("radius", b.radius, io::Hint{.min = 0.5, .max = 500, .unit = "m", .style = io::Style::Logarithmic});
-    if (b.tool != Ramp) v("strength", b.strength, io::Hint{.min = 0, .max = 1});
-    v("falloff", b.falloff, io::Hint{.min = 0, .max = 1});
-    v("curve", b.curve, io::Hint{});
+    if (b.tool != Ramp && b.tool != Hole) v("strength", b.strength, io::Hint{.min = 0, .max = 1});
+    if (b.tool != Hole) v("falloff", b.falloff, io::Hint{.min = 0, .max = 1});
+    if (b.tool != Hole) v("curve", b.curve, io::Hint{});
     if (b.tool == Flatten) v("level_given", b.levelGiven, io::Hint{});
     if (b.tool == Flatten && b.levelGiven) v("level", b.level, io::Hint{.min = -1e5, .max = 1e5, .unit = "m"});
     if (b.tool == Terrace) v("step", b.step, io::Hint{.min = 0.1, .max = 200, .unit = "m", .style = io::Style::Logarithmic});
@@ -74,7 +74,7 @@ void fields(auto& v, io::Of<Brush> auto& b)
 
 struct Dab {
     glm::dvec2 centre{0};  // world x and z
-    float amount = 1;      // m at the centre, or the share of the way to what the tool aims at: smooth, flatten, terrace, slump
+    float amount = 1;      // m at the centre, or the share of the way to what the tool aims at: smooth, flatten, terrace, slump; hole: below 0 closes
     double level = 0;      // m, that flatten aims at
     std::uint32_t number = 0; // of a stroke: chance differs from dab to dab
 };

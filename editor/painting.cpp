@@ -52,7 +52,7 @@ void setLayers(Document& document, const std::string& name, std::vector<io::Terr
         io::Cover c = io::unpacked(texel);
         c.base = moved(c.base);
         c.over = moved(c.over);
-        if (c.base < 0 && c.over < 0) c = {};
+        if (c.base < 0 && c.over < 0) c = {.hole = c.hole};
         if (c.base < 0) c.base = c.over; // what shows beside the one that is gone shows alone
         if (c.over < 0) c.over = c.base;
         texel = io::packed(c);

@@ -12,11 +12,15 @@ namespace editor {
 struct Picker::State {
     RayScene objects;
     std::shared_ptr<const io::HeightMap> heights;
+    std::shared_ptr<const io::CoverMap> cover;
     std::optional<TerrainRay> ground; // made at the first ray after the heights changed
 
     const TerrainRay& terrain()
     {
-        if (!ground) ground.emplace(heights);
+        if (!ground) {
+            ground.emplace(heights);
+            ground->setCover(cover);
+        }
         return *ground;
     }
 };
@@ -28,6 +32,9 @@ void Picker::update(const io::Scene& scene, const io::Assets& assets, const io::
 {
     m_state->objects.update(scene, assets, changes);
     const auto& heights = scene.heights();
+    const bool fits = heights && scene.cover() && scene.cover()->size() == heights->size;
+    m_state->cover = fits ? scene.cover() : nullptr;
+    if (m_state->ground) m_state->ground->setCover(m_state->cover);
     if (m_state->heights == heights) return;
     const bool rebuilt = changes.everything || !heights || !m_state->heights || heights->size != m_state->heights->size;
     m_state->heights = heights;

@@ -2,6 +2,7 @@
 
 #include "editor/placement.h"
 #include "editor/random.h"
+#include "io/scene/ground.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +81,7 @@ std::optional<io::Object> oneMore(const Document& document, const ScatterOptions
 
     const glm::dvec2 at = options.centre + distance * glm::dvec2{std::cos(angle), std::sin(angle)};
     const io::HeightMap& ground = *document.scene().heights();
-    const auto height = ground.height(at.x, at.y);
+    const auto height = io::groundHeight(document.scene(), at.x, at.y);
     const auto normal = ground.normal(at.x, at.y);
     if (!height || !normal) return std::nullopt;
     const double slope = glm::degrees(std::acos(glm::clamp(normal->y, -1.0, 1.0)));

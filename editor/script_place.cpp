@@ -3,6 +3,7 @@
 #include "editor/arrange.h"
 #include "editor/delete_template.h"
 #include "editor/placement.h"
+#include "io/scene/ground.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -31,7 +32,7 @@ std::optional<PickHit> target(Script& script, Arguments& arguments)
     }
     const auto& heights = script.document().scene().heights();
     const glm::dvec2 flat = ground ? *ground : glm::dvec2{point->x, point->z};
-    const auto height = heights ? heights->height(flat.x, flat.y) : std::nullopt;
+    const auto height = io::groundHeight(script.document().scene(), flat.x, flat.y);
     const glm::dvec3 normal =
         heights ? heights->normal(flat.x, flat.y).value_or(glm::dvec3{0, 1, 0}) : glm::dvec3{0, 1, 0};
     if (ground && !height) {

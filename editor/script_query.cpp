@@ -2,6 +2,7 @@
 
 #include "editor/placement.h"
 #include "editor/properties.h"
+#include "io/scene/ground.h"
 
 #include <algorithm>
 
@@ -79,7 +80,7 @@ Answer height(Script& script, Arguments& arguments)
     if (!at) arguments.fail("needs \"at\"");
     if (const auto fault = arguments.finish()) return *fault;
     const auto& heights = script.document().scene().heights();
-    const auto height = heights ? heights->height(at->x, at->y) : std::nullopt;
+    const auto height = io::groundHeight(script.document().scene(), at->x, at->y);
     if (!height) return io::Error{{}, "there is no ground there"};
     const glm::dvec3 normal = heights->normal(at->x, at->y).value_or(glm::dvec3{0, 1, 0});
     return io::Value::Object{{"height", *height}, {"normal", toValue(normal)}};

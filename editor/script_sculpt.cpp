@@ -70,8 +70,8 @@ Answer paint(Script& script, Arguments& arguments)
 {
     Brush brush{.tool = BrushTool::Paint};
     if (arguments.has("tool")) brush.tool = named(arguments, "tool", brush.tool);
-    if (!paints(brush.tool)) arguments.fail("tool: must be paint, erase or replace");
-    if (brush.tool != BrushTool::Erase) brush.layer = layerNamed(script, arguments, "layer");
+    if (!paints(brush.tool)) arguments.fail("tool: must be paint, erase, replace or hole");
+    if (brush.tool == BrushTool::Paint || brush.tool == BrushTool::Replace) brush.layer = layerNamed(script, arguments, "layer");
     if (brush.tool == BrushTool::Replace) brush.replaced = layerNamed(script, arguments, "replaced");
     const auto at = arguments.pair("at");
     const bool everywhere = arguments.flag("everywhere", false);
@@ -80,7 +80,7 @@ Answer paint(Script& script, Arguments& arguments)
     brush.falloff = float(arguments.number("falloff", 1, 0, 1));
     brush.slope = glm::vec2{arguments.pair("slope").value_or(glm::dvec2{brush.slope})};
     brush.altitude = glm::vec2{arguments.pair("altitude").value_or(glm::dvec2{brush.altitude})};
-    const auto strength = float(arguments.number("strength", 1, 0, 1));
+    const auto strength = float(arguments.number("strength", 1, brush.tool == BrushTool::Hole ? -1 : 0, 1));
     const io::Scene& scene = script.document().scene();
     if (!scene.heights()) arguments.fail("this scene has no ground");
     if (const auto fault = arguments.finish()) return *fault;

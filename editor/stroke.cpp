@@ -45,7 +45,8 @@ float Stroke::amountOf(const Brush& brush)
     case BrushTool::Lower: return strength * strength * brush.radius * 0.08f; // wide brushes make high hills
     case BrushTool::Noise: return strength * strength * brush.scale * 0.06f;
     case BrushTool::Stamp: return strength * brush.radius;
-    case BrushTool::Ramp: return 1;
+    case BrushTool::Ramp:
+    case BrushTool::Hole: return 1;
     default: return strength;
     }
 }
@@ -84,7 +85,7 @@ void Stroke::dab(const glm::dvec2& at)
     const auto& map = m_document.scene().heights();
     if (!map) return;
     float amount = amountOf(m_brush);
-    if (m_keys.inverted && (m_brush.tool == BrushTool::Noise || m_brush.tool == BrushTool::Stamp)) amount = -amount;
+    if (m_keys.inverted && (m_brush.tool == BrushTool::Noise || m_brush.tool == BrushTool::Stamp || m_brush.tool == BrushTool::Hole)) amount = -amount;
     if (paints(m_brush.tool)) return paint({.centre = at, .amount = amount});
     const auto patch = dabOn(*map, m_brush, {.centre = at, .amount = amount, .level = m_level, .number = m_dabs++});
     if (patch) change(*patch);

@@ -161,6 +161,7 @@ void TerrainRay::leaf(Query& query, glm::ivec2 node) const
     const glm::ivec2 last = glm::min((node + 1) * kLeaf, map.size - 1);
     for (int z = node.y * kLeaf; z < last.y; ++z) {
         for (int x = node.x * kLeaf; x < last.x; ++x) {
+            if (m_cover && (m_cover->at(x, z) & io::kHoleBit)) continue;
             const double h00 = map.at(x, z), h10 = map.at(x + 1, z), h01 = map.at(x, z + 1), h11 = map.at(x + 1, z + 1);
             query.triangle({x, z}, true, h00, h10 - h00, h01 - h00);
             query.triangle({x, z}, false, h10 + h01 - h11, h11 - h01, h11 - h10);

@@ -2,6 +2,7 @@
 // lowest and highest values (Tevs, Ihrke, Seidel 2008).
 #pragma once
 
+#include "io/scene/cover_map.h"
 #include "io/scene/height_map.h"
 #include "io/scene/terrain.h"
 
@@ -19,6 +20,8 @@ public:
     // Heights that differ from those before within `changed` only, and are as many.
     void update(std::shared_ptr<const io::HeightMap> heights, const io::TexelRect& changed);
 
+    void setCover(std::shared_ptr<const io::CoverMap> cover) { m_cover = std::move(cover); } // rays go through its holes
+
     // The nearest hit on the upper side within `maxDistance`.
     std::optional<io::TerrainHit> hit(const io::Ray& ray, double maxDistance = 1e9) const;
 
@@ -34,6 +37,7 @@ private:
     void leaf(Query& query, glm::ivec2 node) const;
 
     std::shared_ptr<const io::HeightMap> m_heights;
+    std::shared_ptr<const io::CoverMap> m_cover; // as large; null: no holes
     std::vector<Level> m_levels; // finest first
 };
 

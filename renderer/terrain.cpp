@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace renderer {
 namespace {
@@ -58,6 +59,16 @@ void heightIntoAlpha(Pixels& pixels)
 {
     for (glm::u8vec4& p : pixels)
         p.w = std::uint8_t((p.x * 54 + p.y * 183 + p.z * 19) >> 8);
+}
+
+bool holeBit(std::uint32_t texel)
+{
+    return (texel & io::kHoleBit) != 0;
+}
+
+bool holes(const std::vector<std::uint32_t>& cover)
+{
+    return std::ranges::any_of(cover, holeBit);
 }
 
 using Images = std::vector<std::shared_ptr<const io::Image>>;
@@ -215,17 +226,25 @@ void Terrain::uploadHeights()
 void Terrain::updateCover(const std::shared_ptr<const io::CoverMap>& cover, const io::Changes& changes)
 {
     if (cover == m_coverMap) return;
-    const bool sameShape = cover && m_coverMap && cover->size() == m_coverMap->size();
-    m_coverMap = cover;
+    const std::shared_ptr<const io::CoverMap> before = std::exchange(m_coverMap, cover);
     if (!cover) {
+        if (m_holed) ++m_revision;
         m_cover = {};
-    } else if (changes.everything || !sameShape) {
+        m_holed = false;
+    } else if (changes.everything || !before || before->size() != cover->size()) {
         m_cover = gl::Texture{{.label = "ground cover", .size = cover->size(), .filter = GL_NEAREST}};
-        m_cover.upload(cover->read(cover->rect()).data(), GL_RGBA, GL_UNSIGNED_BYTE);
+        const std::vector<std::uint32_t> texels = cover->read(cover->rect());
+        m_cover.upload(texels.data(), GL_RGBA, GL_UNSIGNED_BYTE);
+        m_holed = holes(texels);
+        ++m_revision;
     } else {
         for (const io::TexelRect& changed : changes.cover) {
             const io::TexelRect rect = common(changed, cover->rect());
-            m_cover.uploadPart(rect.low, rect.high - rect.low, cover->read(rect).data(), GL_RGBA, GL_UNSIGNED_BYTE);
+            const std::vector<std::uint32_t> now = cover->read(rect), old = before->read(rect);
+            m_cover.uploadPart(rect.low, rect.high - rect.low, now.data(), GL_RGBA, GL_UNSIGNED_BYTE);
+            m_holed |= holes(now);
+            const bool otherHoles = !std::ranges::equal(now, old, {}, holeBit, holeBit);
+            if (otherHoles && m_map) touch(rect, m_map->min, m_map->max);
         }
     }
 }
@@ -241,13 +260,19 @@ void Terrain::changeHeights(const io::TexelRect& changed)
     m_heights.uploadPart(glm::ivec2{changed.low}, part.size, part.metres.data(), GL_RED, GL_FLOAT);
     uploadNormals(changed);
 
-    const glm::dvec2 low = part.origin, high = low + glm::dvec2{part.size} * map.metresPerTexel;
-    const glm::dvec3 from{low.x, std::min(before.x, after.x), low.y}, to{high.x, std::max(before.y, after.y), high.y};
+    touch(changed, std::min(before.x, after.x), std::max(before.y, after.y));
+}
+
+void Terrain::touch(const io::TexelRect& rect, float low, float high)
+{
+    const glm::dvec2 first = m_map->origin + glm::dvec2{rect.low} * m_map->metresPerTexel;
+    const glm::dvec2 last = m_map->origin + glm::dvec2{rect.high} * m_map->metresPerTexel;
+    const glm::dvec3 from{first.x, low, first.y}, to{last.x, high, last.y};
     if (m_touched.size() == kFewPlaces) { // nobody looks at them, or they are everywhere
         ++m_revision;
         m_touched.clear();
     }
-    m_touched.emplace_back((from + to) * 0.5, glm::distance(from, to) * 0.5 + map.metresPerTexel);
+    m_touched.emplace_back((from + to) * 0.5, glm::distance(from, to) * 0.5 + m_map->metresPerTexel);
 }
 
 // A normal looks at its neighbours, so those around what changed change too.
@@ -391,6 +416,7 @@ void Terrain::bindForShadows(GpuFrame& gpu) const
         morph = {1e30f, 0, 0, 0};
     gpu.constants(TERRAIN_BINDING, still);
     gpu.bind({{HEIGHTS_UNIT, &m_heights}});
+    if (m_cover) gpu.bind({{COVER_UNIT, &m_cover}});
 }
 
 void Terrain::draw(GpuFrame& gpu, const Draw& draw)

@@ -36,6 +36,7 @@ public:
 
     int layers() const { return m_block.layers; } // at least 1
     bool painted() const { return bool(m_cover); }
+    bool holed() const { return m_holed; } // perhaps; what is not is drawn a little faster
     io::WorldBox bounds() const;
     std::uint64_t revision() const { return m_revision; } // counts changes of all of it
     // Where the ground rose or sank since the last forgetTouched(): spheres, m, that hold it as it was and as it is.
@@ -46,6 +47,7 @@ public:
 private:
     void uploadHeights();
     void updateCover(const std::shared_ptr<const io::CoverMap>& cover, const io::Changes& changes);
+    void touch(const io::TexelRect& rect, float low, float high); // what that part can shade is drawn anew; m
     void changeHeights(const io::TexelRect& changed);
     void uploadNormals(const io::TexelRect& changed);
     void uploadLayers(const io::Terrain& terrain, const io::Assets& assets);
@@ -60,6 +62,7 @@ private:
     std::vector<Normals> m_normalMips; // as uploaded: a change makes those above it anew
     std::shared_ptr<const io::CoverMap> m_coverMap;
     gl::Texture m_cover; // as io::packed()
+    bool m_holed = false;
     gl::Texture m_layerColours; // height of the cover in alpha
     gl::Texture m_layerNormals;
     gl::Buffer m_gridVertices, m_gridIndices;

@@ -123,21 +123,22 @@ void TerrainPanel::sculpting(Editor& editor)
         if (on) viewport.sculpting = false;
         else viewport.sculptWith(editor, BrushTool(i));
     }
-    if (paints(viewport.brush.tool) && viewport.brush.tool != BrushTool::Erase) layerChoice(*editor.document(), "ground.layer", viewport.brush.layer);
+    const bool layered = viewport.brush.tool == BrushTool::Paint || viewport.brush.tool == BrushTool::Replace;
+    if (layered) layerChoice(*editor.document(), "ground.layer", viewport.brush.layer);
     if (viewport.brush.tool == BrushTool::Replace) layerChoice(*editor.document(), "ground.replaced", viewport.brush.replaced);
     FieldUi ui{{.prefix = "brush.",
                 .defaults = scalarsOf(Brush{.tool = viewport.brush.tool, .levelGiven = viewport.brush.levelGiven}),
                 .files = [this](std::string_view key) { return key == "brush.stamp" ? m_textures : std::vector<std::string>{}; }}};
     fields(ui, viewport.brush);
     if (ui.changedKey() == "brush.stamp") viewport.brush.stamp = readStamp(editor.document()->project().folder / viewport.brush.stampFile);
-    if (paints(viewport.brush.tool)) {
+    if (layered || viewport.brush.tool == BrushTool::Erase) {
         if (ui::button("fill", tr("ground.fill")))
             editor.step("undo.fill", [&](Document& document) { fillCover(document, tr("undo.fill"), viewport.brush); });
-        ui::tooltip(tr("ground.fill_tip"));
-    } else {
+        if (ImGui::IsItemHovered()) ui::tooltip(tr("ground.fill_tip"));
+    } else if (!paints(viewport.brush.tool)) {
         ui::checkbox("follow", tr("ground.follow"), viewport.objectsFollow);
     }
-    ui::softText(tr("ground.brush_keys"));
+    ui::softText(paints(viewport.brush.tool) ? tr("ground.paint_keys") : tr("ground.brush_keys"));
 }
 
 void TerrainPanel::measures(Editor& editor)

@@ -24,7 +24,7 @@ Result<CoverMap> readCoverMap(const std::filesystem::path& file, glm::ivec2 size
     std::vector<std::uint32_t> texels(std::size_t(size.x) * size.y);
     std::memcpy(texels.data(), image->bytes.data(), texels.size() * sizeof(texels[0]));
     for (std::uint32_t& texel : texels) // layers are 0 to 31
-        texel = texel >> 24 == 0 ? 0 : texel & 0xffff1f1fu;
+        texel &= texel >> 24 == 0 ? kHoleBit : 0xffff1f1fu | kHoleBit;
     return CoverMap{size, texels};
 }
 

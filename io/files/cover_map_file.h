@@ -1,4 +1,4 @@
-// What was painted over the ground, as a PNG: red the lower layer, green the upper one, blue how much of the upper one, alpha how
+// What was painted over the ground, as a PNG: red the lower layer (128 more: a hole), green the upper one, blue how much of the upper one, alpha how
 // far both cover what the layers' rules say.
 #pragma once
 

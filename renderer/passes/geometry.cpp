@@ -17,13 +17,14 @@ GeometryPass::GeometryPass(ShaderLibrary& shaders)
     : m_shaders{shaders}, m_programs{shaders, "objects", {}, ~0u},
       m_objects{makeObjectVertexArray()}
 {
-    groundProgram(1, false);
+    groundProgram(1, false, false);
 }
 
-const gl::Program& GeometryPass::groundProgram(int layers, bool painted)
+const gl::Program& GeometryPass::groundProgram(int layers, bool painted, bool holed)
 {
     std::vector<std::string> defines{"LAYERS " + std::to_string(layers)};
     if (painted) defines.emplace_back("PAINTED");
+    if (holed) defines.emplace_back("HOLES");
     return m_shaders.program({.label = "ground", .stages = {"terrain.vert.glsl", "terrain.frag.glsl"}, .defines = std::move(defines)});
 }
 
@@ -70,7 +71,7 @@ void GeometryPass::drawObjects(GpuFrame& gpu, const DrawList& objects)
 
 void GeometryPass::drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draw& ground)
 {
-    if (!scenery.terrain.present() || !gpu.use(groundProgram(scenery.terrain.layers(), scenery.terrain.painted()))) return;
+    if (!scenery.terrain.present() || !gpu.use(groundProgram(scenery.terrain.layers(), scenery.terrain.painted(), scenery.terrain.holed()))) return;
     framebuffer().bind();
     gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GL_BACK});
     scenery.terrain.bind(gpu);

@@ -33,7 +33,7 @@ public:
 private:
     void resize(glm::ivec2 size);
 
-    const gl::Program& groundProgram(int layers, bool painted);
+    const gl::Program& groundProgram(int layers, bool painted, bool holed);
     const gl::Framebuffer& framebuffer() const { return m_ids ? m_framebuffer : m_withoutIds; }
 
     ShaderLibrary& m_shaders;

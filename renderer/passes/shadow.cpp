@@ -57,6 +57,7 @@ ShadowPass::ShadowPass(ShaderLibrary& shaders)
                                       .stages = {"objects.vert.glsl", "empty.frag.glsl"},
                                       .defines = {"POSITION_ONLY", "WIND"}})},
       m_ground{shaders.program({.label = "shadow of the ground", .stages = {"terrain.vert.glsl", "empty.frag.glsl"}})},
+      m_holedGround{shaders.program({.label = "shadow of ground with holes", .stages = {"terrain.vert.glsl", "terrain_shadow.frag.glsl"}})},
       m_objects{makeObjectVertexArray()},
       m_lit{{.label = "no shadow", .size = {1, 1}, .layers = 1, .format = GL_DEPTH_COMPONENT32F, .compare = true}}, m_shaders{shaders}
 {
@@ -165,7 +166,7 @@ bool ShadowPass::draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoin
         });
 
     const bool sways = mayBeSeen(scenery, viewpoint, request) && std::ranges::any_of(lists, swaysIn);
-    if (!scenery.terrain.present() || !gpu.use(m_ground)) return sways;
+    if (!scenery.terrain.present() || !gpu.use(scenery.terrain.holed() ? m_holedGround : m_ground)) return sways;
     const Terrain::Draw ground = scenery.terrain.shadowDraws(gpu.stream(), volume, cascade.texel * kGroundErrorTexels);
     gl::apply(state);
     scenery.terrain.bindForShadows(gpu);

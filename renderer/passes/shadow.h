@@ -38,7 +38,7 @@ private:
     ViewChooser& nextChooser();
 
     ObjectPrograms m_masked;
-    const gl::Program &m_solid, &m_solidSwaying, &m_ground;
+    const gl::Program &m_solid, &m_solidSwaying, &m_ground, &m_holedGround;
     gl::VertexArray m_objects;
     gl::Texture m_maps;
     gl::Texture m_lit;

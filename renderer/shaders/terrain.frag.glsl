@@ -76,6 +76,10 @@ void consider(inout Choice c, const int index, vec3 where)
 #ifdef PAINTED
 layout(binding = COVER_UNIT) uniform sampler2D coverMap; // io::packed(): lower layer, upper layer, share of the upper one, painted
 
+#ifdef HOLES
+#include "hole.glsl"
+#endif
+
 // What was painted covers the rules. The four texels around name two layers each: all that are the same count together, and the
 // two that then show most are kept.
 void showPainted(inout Choice c, vec2 texel)
@@ -93,7 +97,7 @@ void showPainted(inout Choice c, vec2 texel)
     for (int i = 0; i < 4; ++i) {
         float painted = near[i].a * weight[i];
         rules += weight[i] - painted;
-        layer[i] = int(near[i].r * 255.0 + 0.5);
+        layer[i] = int(near[i].r * 255.0 + 0.5) & 31;
         share[i] = painted * (1.0 - near[i].b);
         layer[i + 4] = int(near[i].g * 255.0 + 0.5);
         share[i + 4] = painted * near[i].b;
@@ -262,4 +266,7 @@ void main()
     vec3 normal = normalize(n + mix(a.bend, b.bend, share) * 0.9);
     writeSurface(sqrt(colour * patches), 1.0, normal, mix(a.roughness, b.roughness, share), 0.0, SURFACE_GROUND, 0.0);
     outId = 0xffffffffu;
+#ifdef HOLES
+    if (inHole(coverMap, texel)) discard; // at the end: derivatives above are of whole quads
+#endif
 }

@@ -126,6 +126,42 @@ TEST(Terrain, WhatWasPaintedIsShownAndFollowsInPart)
     EXPECT_EQ(test::shared().glErrors(), 0u);
 }
 
+TEST(Terrain, HolesAreSeenThroughByTheCameraAndTheSun)
+{
+    const auto map = test::heightMap({201, 201}, 1, [](double, double) { return 0.0; });
+    test::TestWorld world;
+    world.scene.exchange(io::Terrain{.heightMap = "terrain/map.png", .origin = map->origin});
+    world.scene.exchange(map);
+    const io::TemplateId slab = test::addTemplate(world, "slab", test::box({160, 0.5f, 160}, glm::vec4{0.5f}));
+    test::addObject(world, slab, {.position = {0, -8, 0}}); // a floor below the ground
+    const renderer::FrameInput in = test::frame(kSize, {.eye = {0, 40, 0}, .pitch = -90});
+    const auto counts = [&] {
+        test::shared().render(in);
+        const auto ids = test::shared().readIds({0, 0}, kSize);
+        return glm::ivec2{std::ranges::count(ids, 1u), std::ranges::count(ids, renderer::kTerrainId)};
+    };
+    const auto brightness = [&] { // of the middle, which the floor shows
+        const io::Image image = test::shared().readPicture();
+        return int(image.row<glm::u8vec4>(kSize.y / 2)[kSize.x / 2].y);
+    };
+    test::load(world);
+    EXPECT_EQ(counts().x, 0);
+    const std::vector<std::uint32_t> hole(40 * 40, io::packed({.hole = true}));
+    world.scene.exchange(std::make_shared<const io::CoverMap>(io::CoverMap{map->size}));
+    test::load(world);
+    test::shared().render(in);
+    world.scene.exchange(std::make_shared<const io::CoverMap>(world.scene.cover()->with(hole, {40, 40}, {80, 80})));
+    test::shared().update(world.scene, world.assets, {.cover = {{{80, 80}, {120, 120}}}});
+    const glm::ivec2 seen = counts();
+    EXPECT_GT(seen.x, 2000);
+    EXPECT_GT(seen.y, 2000);
+    const int lit = brightness();
+    test::load(world); // shadow maps made anew
+    EXPECT_EQ(counts(), seen);
+    EXPECT_NEAR(brightness(), lit, 1);
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
 // A map of 16 m, so that the position buffer, which repeats each 16 m, says plainly where a pixel's ground lies.
 TEST(Terrain, NearTheEyeItIsTheTrianglesOfTheMap)
 {

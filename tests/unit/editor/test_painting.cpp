@@ -2,6 +2,7 @@
 #include "editor/painting.h"
 #include "editor/stroke.h"
 #include "io/files/cover_map_file.h"
+#include "io/scene/ground.h"
 #include "tests/unit/editor/worlds.h"
 
 #include <gtest/gtest.h>
@@ -178,6 +179,34 @@ TEST(Painting, AStrokeWithTheBrushPaintsAndCtrlErases)
     }
     document->undo();
     EXPECT_EQ(coverAt(*document, {0, 0}), (io::Cover{2, 2, 0, 1}));
+}
+
+TEST(Painting, HolesAreShotThroughAndClosedAgain)
+{
+    const auto document = meadow();
+    Picker picker;
+    test::followed(picker, *document).prepare();
+    const io::Ray down{.origin = {10.3, 200, 4.1}, .direction = {0, -1, 0}};
+    const auto drawn = [&](bool closes) {
+        Stroke stroke{*document, {.tool = BrushTool::Hole, .radius = 12}, {.inverted = closes}, "Hole"};
+        stroke.to({10, 0, 4});
+        stroke.end();
+        test::followed(picker, *document);
+    };
+    EXPECT_EQ(picker.pick(down).surface, Surface::Terrain);
+    painted(*document, BrushTool::Paint, 1, {10, 4}, 40);
+    drawn(false);
+    EXPECT_EQ(picker.pick(down).surface, Surface::None);
+    EXPECT_FALSE(io::groundHeight(document->scene(), 10.3, 4.1));
+    EXPECT_TRUE(io::groundHeight(document->scene(), 40, 4.1));
+    EXPECT_EQ(coverAt(*document, {10, 4}), (io::Cover{1, 1, 0, 1, true})); // the paint stays
+    painted(*document, BrushTool::Erase, 0, {10, 4}, 40);
+    EXPECT_EQ(coverAt(*document, {10, 4}), io::Cover{.hole = true});       // and goes without the hole
+    drawn(true);
+    EXPECT_EQ(picker.pick(down).surface, Surface::Terrain);
+    document->undo();
+    test::followed(picker, *document);
+    EXPECT_EQ(picker.pick(down).surface, Surface::None);
 }
 
 } // namespace
