@@ -83,6 +83,7 @@ TEST(Terrain, APartThatChangedIsDrawnAsIfAllWereNew)
         world.scene.exchange(after);
         test::shared().update(world.scene, world.assets, {.heights = {{at, at + hill.size}}});
         const io::Image followed = picture();
+        world.scene.exchange(std::make_shared<const io::HeightMap>(*after)); // another map, or nothing would be made anew
         test::load(world);
         const io::Image fresh = picture();
         EXPECT_NE(untouched.bytes, fresh.bytes);
@@ -122,6 +123,7 @@ TEST(Terrain, WhatWasPaintedIsShownAndFollowsInPart)
     world.scene.exchange(std::make_shared<const io::CoverMap>(world.scene.cover()->with(whole, {64, 32}, {280, 134})));
     test::shared().update(world.scene, world.assets, {.cover = {{{280, 134}, {344, 166}}}});
     const io::Image followed = picture();
+    world.scene.exchange(std::make_shared<const io::CoverMap>(*world.scene.cover())); // another one, or nothing would be made anew
     test::load(world);
     const io::Image fresh = picture();
     EXPECT_GT(red(fresh), red(mixed) + 1500);
@@ -159,7 +161,8 @@ TEST(Terrain, HolesAreSeenThroughByTheCameraAndTheSun)
     EXPECT_GT(seen.x, 2000);
     EXPECT_GT(seen.y, 2000);
     const int lit = brightness();
-    test::load(world); // shadow maps made anew
+    world.scene.exchange(std::make_shared<const io::CoverMap>(*world.scene.cover()));
+    test::load(world); // all made anew
     EXPECT_EQ(counts(), seen);
     EXPECT_NEAR(brightness(), lit, 1);
     in.settings.shadows = false;
