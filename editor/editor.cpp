@@ -118,10 +118,10 @@ bool Editor::adoptOpened(Loading::Opened opened)
 void Editor::adopt(std::unique_ptr<Document> document)
 {
     m_editing.clear();
+    m_viewport.reset(); // what it draws on is about to go
     m_document = std::move(document);
     m_selection = {};
     wake();
-    m_viewport.reset();
     m_viewport.lookFrom(*m_document);
     chosenTemplate = io::TemplateId::None;
     inspectTemplate = false;

@@ -48,6 +48,7 @@ void Viewport::beginStroke(Editor& editor)
 
 void Viewport::holdStroke(Editor& editor, double seconds)
 {
+    if (m_stroke && !editor.document()->inGesture()) m_stroke.reset(); // undone or saved meanwhile: it is a step already
     if (!m_stroke) return;
     if (pressed(Key::Escape)) {
         m_stroke->cancel();

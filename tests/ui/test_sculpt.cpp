@@ -93,4 +93,45 @@ TEST_F(Sculpting, ARampRunsFromPressToRelease)
     EXPECT_LT(ground(0, -20), high * 0.8);
 }
 
+TEST_F(Sculpting, UndoAndAnotherWorldEndAStrokeThatIsBeingDrawn)
+{
+    rig.click("Raise", "button");
+    rig.move(rig.onScreen({0, 0, -10}));
+    rig.press();
+    rig.move(rig.onScreen({8, 0, -10}));
+    EXPECT_NE(ground(4, -12), 0);
+    rig.document().undo();
+    EXPECT_EQ(ground(4, -12), 0);
+    rig.move(rig.onScreen({12, 0, -10})); // still held: nothing more is drawn
+    EXPECT_EQ(ground(8, -12), 0);
+    rig.release();
+    rig.move(rig.onScreen({0, 0, -10}));
+    rig.press();
+    rig.editor->adopt(crates(1));
+    rig.frame(2);
+    rig.move(rig.onScreen({8, 0, -10}));
+    rig.release();
+    EXPECT_FALSE(rig.document().history().canUndo());
+}
+
+TEST_F(Sculpting, PaintGoesIntoAFileOfItsOwn)
+{
+    io::Terrain terrain = rig.document().scene().terrain();
+    terrain.layers = {{.name = "grass"}, {.name = "rock"}};
+    editor::setTerrain(rig.document(), "Layers", terrain);
+    rig.frame(2);
+    rig.click("Paint", "button");
+    rig.click("Layer", "combo");
+    rig.click("rock", "option");
+    rig.drag(rig.onScreen({0, 0, -10}), rig.onScreen({16, 0, -10}));
+    EXPECT_EQ(names().back(), "Paint ground");
+    ASSERT_NE(rig.document().scene().cover(), nullptr);
+    EXPECT_FALSE(rig.document().scene().terrain().coverMap.empty());
+    const io::Cover cover = io::unpacked(rig.document().scene().cover()->at(34, 30));
+    EXPECT_EQ(cover.base, 1);
+    EXPECT_GT(cover.painted, 0.2f);
+    rig.key(editor::ctrl(Key::Z));
+    EXPECT_EQ(rig.document().scene().cover(), nullptr);
+}
+
 } // namespace
