@@ -56,7 +56,7 @@ void fields(auto& v, io::Of<Brush> auto& b)
 {
     using enum BrushTool;
     v("radius", b.radius, io::Hint{.min = 0.5, .max = 500, .unit = "m", .style = io::Style::Logarithmic});
-    if (b.tool != Ramp && b.tool != Hole) v("strength", b.strength, io::Hint{.min = 0, .max = 1});
+    if (b.tool != Ramp && b.tool != Replace && b.tool != Hole) v("strength", b.strength, io::Hint{.min = 0, .max = 1});
     if (b.tool != Hole) v("falloff", b.falloff, io::Hint{.min = 0, .max = 1});
     if (b.tool != Hole) v("curve", b.curve, io::Hint{});
     if (b.tool == Flatten) v("level_given", b.levelGiven, io::Hint{});

@@ -200,6 +200,16 @@ template <class Map> bool sameShape(const Map* a, const Map* b)
     return a && b && fieldOf(*a).size() == fieldOf(*b).size();
 }
 
+// What is packed takes all but the texels from the map that is there.
+bool sameKind(const io::HeightMap& a, const io::HeightMap& b)
+{
+    return a.shares == b.shares;
+}
+bool sameKind(const io::CoverMap&, const io::CoverMap&)
+{
+    return true;
+}
+
 // The four bytes of each number apart, as like bytes pack better beside each other.
 template <class T> std::vector<std::byte> differenceOf(const std::vector<T>& a, const std::vector<T>& b)
 {
@@ -279,7 +289,7 @@ template <class Map> bool SwapGround<Map>::absorb(Command& later)
 template <class Map> void SwapGround<Map>::pack(const io::World& world)
 {
     const auto& now = currentMap(world.scene, static_cast<const Map*>(nullptr));
-    if (m_packed || !sameShape(now.get(), m_other.get())) return;
+    if (m_packed || !sameShape(now.get(), m_other.get()) || !sameKind(*now, *m_other)) return;
     const auto &field = fieldOf(*now), &other = fieldOf(*m_other);
     field.eachOther(other, [&](glm::ivec2 tile) {
         m_differences.push_back({tile, io::PackedBytes{differenceOf(*field.tile(tile), *other.tile(tile))}});

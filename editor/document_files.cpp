@@ -116,6 +116,7 @@ std::shared_ptr<const io::HeightMap> Document::readHeights(const io::Terrain& te
     if (terrain.heightMap.empty()) return nullptr;
     const std::size_t before = m_complaints.size();
     auto heights = io::readHeights(m_world, terrain, m_complaints);
+    if (heights) m_world.heightFiles[terrain.heightMap] = {heights, terrain.minHeight, terrain.maxHeight};
     logComplaints(m_complaints, before);
     return heights;
 }
@@ -125,6 +126,7 @@ std::shared_ptr<const io::CoverMap> Document::readCover(const io::Terrain& terra
     if (terrain.coverMap.empty() || !m_world.scene.heights()) return nullptr;
     const std::size_t before = m_complaints.size();
     auto cover = io::readCover(m_world, terrain, m_world.scene.heights()->size, m_complaints);
+    if (cover) m_world.coverFiles[terrain.coverMap] = cover;
     logComplaints(m_complaints, before);
     return cover;
 }
@@ -137,8 +139,14 @@ void setTerrain(Document& document, std::string name, io::Terrain terrain)
     const bool otherRange = terrain.minHeight != before.minHeight || terrain.maxHeight != before.maxHeight;
     const Gesture gesture{document, name};
     document.run(std::make_unique<SwapTerrain>(name, terrain));
-    if (otherFile) setHeights(document, name, document.readHeights(terrain), {});
-    if (otherFile || terrain.coverMap != before.coverMap) setCover(document, name, document.readCover(terrain), {});
+    if (otherFile) {
+        const auto read = document.readHeights(terrain);
+        setHeights(document, name, read, read ? read->texels() : io::TexelRect{});
+    }
+    if (otherFile || terrain.coverMap != before.coverMap) {
+        const auto read = document.readCover(terrain);
+        setCover(document, name, read, read ? read->rect() : io::TexelRect{});
+    }
     if (otherFile) return;
     if (!otherRange || !heights || !heights->shares) return;
     if (std::abs(before.maxHeight - before.minHeight) < kLeastSpan || std::abs(terrain.maxHeight - terrain.minHeight) < kLeastSpan) return;
@@ -188,8 +196,9 @@ io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::
     }
     const io::Project projectBefore = m_world.project;
     const auto templateFilesBefore = m_world.templateFiles;
-    const auto heightsBefore = m_world.savedHeights;
-    const auto coverBefore = m_world.savedCover;
+    const auto heightFilesBefore = m_world.heightFiles;
+    const auto coverFilesBefore = m_world.coverFiles;
+    const io::Terrain terrainBefore = m_world.scene.terrain();
     const std::uint64_t savedBefore = m_savedState;
     m_world.project.folder = half;
     io::Result<io::FileTransaction::Report> report = save();
@@ -204,8 +213,9 @@ io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::
     if (!report) {
         m_world.project = projectBefore;
         m_world.templateFiles = templateFilesBefore;
-        m_world.savedHeights = heightsBefore;
-        m_world.savedCover = coverBefore;
+        m_world.heightFiles = heightFilesBefore;
+        m_world.coverFiles = coverFilesBefore;
+        m_world.scene.exchange(terrainBefore);
         m_savedState = savedBefore;
         fs::remove_all(half, fault);
     }

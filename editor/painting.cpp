@@ -45,7 +45,10 @@ void setLayers(Document& document, const std::string& name, std::vector<io::Terr
     setTerrain(document, name, std::move(terrain));
     const auto& cover = document.scene().cover();
     if (!cover) return;
-    const auto moved = [&](int layer) { return layer < int(newNumbers.size()) ? newNumbers[std::size_t(layer)] : layer; };
+    const auto moved = [&](int layer) {
+        const int number = layer < int(newNumbers.size()) ? newNumbers[std::size_t(layer)] : layer;
+        return number < io::kMostLayers ? number : -1;
+    };
     std::vector<std::uint32_t> texels = cover->read(cover->rect());
     for (std::uint32_t& texel : texels) {
         if (texel == 0) continue;

@@ -3,6 +3,8 @@
 #include "editor/painting.h"
 #include "editor/stroke.h"
 
+#include <algorithm>
+
 namespace editor {
 namespace {
 
@@ -57,9 +59,9 @@ int layerNamed(Script& script, Arguments& arguments, const char* key)
     const io::Value* value = arguments.value(key);
     const auto& layers = script.document().scene().terrain().layers;
     if (!value) arguments.fail(std::string{"needs \""} + key + "\"");
-    else if (const double* number = value->asNumber(); number && *number >= 0 && *number < double(layers.size())) return int(*number);
+    else if (const double* number = value->asNumber(); number && *number >= 0 && *number < double(std::min<std::size_t>(layers.size(), io::kMostLayers))) return int(*number);
     else if (const std::string* name = value->asString())
-        for (std::size_t i = 0; i < layers.size(); ++i)
+        for (std::size_t i = 0; i < std::min<std::size_t>(layers.size(), io::kMostLayers); ++i)
             if (layers[i].name == *name) return int(i);
     arguments.fail(std::string{key} + ": is no layer of the ground");
     return 0;

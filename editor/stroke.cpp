@@ -11,6 +11,7 @@ namespace {
 constexpr double kSpacing = 0.2;      // radii between dabs
 constexpr double kStampSpacing = 1.5; // a stamp should not blur itself
 constexpr double kRestingDabs = 12;   // a second
+constexpr float kFarthest = 1e5f;     // m, up and down
 constexpr double kCell = 32;          // m
 
 std::int64_t cellKey(std::int64_t x, std::int64_t z)
@@ -25,13 +26,22 @@ std::int64_t cellOf(double metres)
 
 } // namespace
 
+BrushTool toolWith(BrushTool tool, const StrokeKeys& keys)
+{
+    if (keys.smooths && !paints(tool)) return BrushTool::Smooth;
+    if (!keys.inverted) return tool;
+    switch (tool) {
+    case BrushTool::Raise: return BrushTool::Lower;
+    case BrushTool::Lower: return BrushTool::Raise;
+    case BrushTool::Paint: return BrushTool::Erase;
+    default: return tool;
+    }
+}
+
 Stroke::Stroke(Document& document, Brush brush, StrokeKeys keys, std::string name)
     : m_document{document}, m_brush{std::move(brush)}, m_keys{keys}, m_name{std::move(name)}
 {
-    if (m_keys.smooths && !paints(m_brush.tool)) m_brush.tool = BrushTool::Smooth;
-    if (m_keys.inverted && m_brush.tool == BrushTool::Paint) m_brush.tool = BrushTool::Erase;
-    if (m_keys.inverted && m_brush.tool == BrushTool::Raise) m_brush.tool = BrushTool::Lower;
-    else if (m_keys.inverted && m_brush.tool == BrushTool::Lower) m_brush.tool = BrushTool::Raise;
+    m_brush.tool = toolWith(m_brush.tool, keys);
     m_gesture.emplace(m_document, m_name);
 }
 
@@ -46,6 +56,7 @@ float Stroke::amountOf(const Brush& brush)
     case BrushTool::Noise: return strength * strength * brush.scale * 0.06f;
     case BrushTool::Stamp: return strength * brush.radius;
     case BrushTool::Ramp:
+    case BrushTool::Replace:
     case BrushTool::Hole: return 1;
     default: return strength;
     }
@@ -100,7 +111,13 @@ void Stroke::paint(const Dab& dab)
 void Stroke::change(const HeightPatch& patch)
 {
     const std::shared_ptr<const io::HeightMap> before = m_document.scene().heights();
-    setHeights(m_document, m_name, std::make_shared<const io::HeightMap>(before->with(patch.heights, patch.at)), patch.rect());
+    io::HeightGrid heights = patch.heights; // within what a file can hold; not a number is no change
+    for (int z = 0; z < heights.size.y; ++z)
+        for (int x = 0; x < heights.size.x; ++x) {
+            float& metres = heights.at(x, z);
+            metres = std::isfinite(metres) ? std::clamp(metres, -kFarthest, kFarthest) : before->at(patch.at.x + x, patch.at.y + z);
+        }
+    setHeights(m_document, m_name, std::make_shared<const io::HeightMap>(before->with(heights, patch.at)), patch.rect());
     if (m_keys.objectsFollow) lift(patch, *before);
 }
 

@@ -17,6 +17,8 @@ struct StrokeKeys {
     bool objectsFollow = true; // objects keep their height above the ground
 };
 
+BrushTool toolWith(BrushTool tool, const StrokeKeys& keys); // what a tool becomes
+
 class Stroke {
 public:
     // Begins a gesture of that name.

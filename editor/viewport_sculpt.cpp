@@ -40,8 +40,8 @@ void Viewport::beginStroke(Editor& editor)
 {
     const ImGuiIO& io = ImGui::GetIO();
     if (!m_brushAt) return;
-    m_stroke.emplace(*editor.document(), brush, StrokeKeys{.inverted = io.KeyCtrl, .smooths = io.KeyShift, .objectsFollow = objectsFollow},
-                     stepNameOf(io.KeyShift ? BrushTool::Smooth : brush.tool));
+    const StrokeKeys keys{.inverted = io.KeyCtrl, .smooths = io.KeyShift, .objectsFollow = objectsFollow};
+    m_stroke.emplace(*editor.document(), brush, keys, stepNameOf(toolWith(brush.tool, keys)));
     m_stroke->to(*m_brushAt);
     m_drag = Drag::Stroke;
 }
@@ -75,7 +75,8 @@ void Viewport::endStroke()
 void Viewport::updateBrush(Editor& editor)
 {
     m_brushAt.reset();
-    if (!sculpting || !editor.document()->scene().heights()) return;
+    if (!editor.document()->scene().heights()) sculpting = false;
+    if (!sculpting) return;
     if (m_drag != Drag::None && m_drag != Drag::Stroke) return;
     if (!m_hovered && m_drag != Drag::Stroke) return;
     const PickHit hit = editor.picker().pick(view(), pointer(), {.objects = false, .maxDistance = kFarthest});

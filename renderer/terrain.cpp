@@ -18,6 +18,7 @@ constexpr std::uint32_t kQuarterIndices = kQuarter * kQuarter * 6;
 constexpr double kErrorPixels = 1.5;
 constexpr int kLargestLayer = 1024; // texels
 constexpr std::size_t kFewPlaces = 64;
+static_assert(TERRAIN_LAYERS == io::kMostLayers);
 
 std::int16_t nearest(float v) // std::lround() takes longer than all the rest of a normal
 {

@@ -45,8 +45,9 @@ glm::vec2 TerrainTree::rangeOf(const io::TexelRect& rect) const
     const Level& finest = m_levels.front();
     const glm::ivec2 high = glm::min((glm::ivec2{rect.high} - 1) / TERRAIN_QUADS + 1, finest.nodes);
     glm::vec2 range{INFINITY, -INFINITY};
-    for (int z = int(rect.low.y) / TERRAIN_QUADS; z < high.y; ++z)
-        for (int x = int(rect.low.x) / TERRAIN_QUADS; x < high.x; ++x) {
+    const glm::ivec2 low = glm::max(glm::ivec2{rect.low} - 1, glm::ivec2{0}) / TERRAIN_QUADS; // nodes share the texels of their borders
+    for (int z = low.y; z < high.y; ++z)
+        for (int x = low.x; x < high.x; ++x) {
             const glm::vec2 own = finest.lowHigh[std::size_t(z) * finest.nodes.x + x];
             range = {std::min(range.x, own.x), std::max(range.y, own.y)};
         }

@@ -30,7 +30,7 @@ std::vector<std::string> filesIn(const fs::path& project, const char* folder)
     return files;
 }
 
-// The brightness of a picture, 0..1; null, with a word in the console, when it cannot be read.
+// The first channel of a picture, 0..1; null, with a word in the console, when it cannot be read.
 std::shared_ptr<const io::HeightGrid> readStamp(const fs::path& file)
 {
     const io::Result<io::Image> image = io::readImage(file);
@@ -71,8 +71,9 @@ std::vector<std::string> layerNames(const Document& document)
 
 void layerChoice(const Document& document, const char* key, int& layer)
 {
-    const std::vector<std::string> names = layerNames(document);
+    std::vector<std::string> names = layerNames(document);
     if (names.empty()) return;
+    names.resize(std::min<std::size_t>(names.size(), io::kMostLayers));
     layer = std::clamp(layer, 0, int(names.size()) - 1);
     ui::propertyLabel(tr(key));
     ImGui::PushID(key);
@@ -169,7 +170,7 @@ void TerrainPanel::layers(Editor& editor)
         ImGui::PopID();
     }
     ImGui::Dummy({0, 2});
-    if (ui::button("add", tr("ground.add")))
+    if (editor.document()->scene().terrain().layers.size() < io::kMostLayers && ui::button("add", tr("ground.add")))
         changeLayers(editor, "undo.add_layer", [](std::vector<io::TerrainLayer>& list, std::vector<int>&) {
             list.push_back({.name = tr("ground.new_name")});
         });

@@ -193,8 +193,9 @@ Result<Assets> readAssets(World& world, Complaints& complaints, const Progress& 
         complaints.insert(complaints.end(), job.complaints.begin(), job.complaints.end());
     if (!complete) return Error{world.project.folder.string(), "reading was cancelled"};
     if (ground.heights) {
-        world.savedHeights = ground.heights;
-        world.savedCover = ground.cover;
+        const Terrain& terrain = world.scene.terrain();
+        world.heightFiles[terrain.heightMap] = {ground.heights, terrain.minHeight, terrain.maxHeight};
+        if (ground.cover) world.coverFiles[terrain.coverMap] = ground.cover;
         world.scene.exchange(std::move(ground.heights));
         world.scene.exchange(std::move(ground.cover));
     }

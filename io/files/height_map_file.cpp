@@ -184,14 +184,31 @@ Status writeHeightMap16(const std::filesystem::path& file, const HeightGrid& hei
     return writeFile(file, *png);
 }
 
+namespace {
+
+std::string extensionOf(const std::filesystem::path& file)
+{
+    std::string extension = file.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](char c) { return char(std::tolower(c)); });
+    return extension;
+}
+
+} // namespace
+
+bool holdsHeights(const std::filesystem::path& file)
+{
+    const std::string extension = extensionOf(file);
+    return extension == ".png" || extension == ".exr" || extension == ".tif" || extension == ".tiff";
+}
+
 Result<std::string> encodeHeightMap(const HeightMap& heights, Terrain& terrain)
 {
-    HeightGrid grid = heights.read(heights.texels());
-    std::string extension = std::filesystem::path{terrain.heightMap}.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](char c) { return char(std::tolower(c)); });
+    const HeightGrid grid = heights.read(heights.texels());
+    const std::string extension = extensionOf(terrain.heightMap);
     if (extension == ".png") {
-        const auto [low, high] = std::minmax(terrain.minHeight, terrain.maxHeight);
-        if (heights.min < low || heights.max > high || high <= low) {
+        const double low = std::min(terrain.minHeight, terrain.maxHeight), high = std::max(terrain.minHeight, terrain.maxHeight);
+        const double halfStep = (high - low) / 65535 / 2; // what rounds back into the range does not move it
+        if (heights.min < low - halfStep || heights.max > high + halfStep || high <= low) {
             terrain.minHeight = std::floor(std::min(low, double(heights.min)));
             terrain.maxHeight = std::ceil(std::max({high, double(heights.max), terrain.minHeight + 1}));
         }

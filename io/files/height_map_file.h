@@ -19,6 +19,8 @@ Result<HeightMap> readHeightMap(const std::filesystem::path& file, const Terrain
 Status writeHeightMap16(const std::filesystem::path& file, const HeightGrid& heights, double minHeight,
                         double maxHeight);
 
+bool holdsHeights(const std::filesystem::path& file); // by its name: a format that heights can be written to
+
 // What terrain.heightMap is to hold: a PNG of 16 bits between the terrain's two heights, which are moved apart where the
 // ground lies beyond them; EXR or TIFF in metres, float.
 Result<std::string> encodeHeightMap(const HeightMap& heights, Terrain& terrain);

@@ -158,16 +158,42 @@ std::uint64_t addIfChanged(FileTransaction& transaction, const fs::path& folder,
     return bytes;
 }
 
+bool named(const World& world, const SceneEntry& other, const std::string& heightMap)
+{
+    if (other.file == world.entry.file) return false;
+    Result<std::string> text = readProjectFile(world.project.folder, other.file);
+    Scene scene;
+    Complaints ignored;
+    return text && readSceneText(std::move(*text), other.file, scene, ignored) && scene.terrain().heightMap == heightMap;
+}
+
+// A file beside this one that does not exist.
+std::string freshFile(const fs::path& folder, const fs::path& file, const std::string& extension)
+{
+    const std::string stem = (file.parent_path() / file.stem()).generic_string();
+    std::error_code fault;
+    for (int i = 2;; ++i)
+        if (std::string name = stem + "_" + std::to_string(i) + extension; !fs::exists(folder / name, fault) && !fault) return name;
+}
+
 // Adds the heights unless their file holds them, and answers what the scene's file is to say of them.
 Result<Terrain> addHeights(FileTransaction& transaction, const World& world)
 {
     Terrain terrain = world.scene.terrain();
     const auto& heights = world.scene.heights();
-    const bool held = !heights || heights == world.savedHeights || (world.savedHeights && heights->sameHeights(*world.savedHeights));
-    if (terrain.heightMap.empty() || held) return terrain;
+    if (!heights || terrain.heightMap.empty()) return terrain;
+    const auto known = world.heightFiles.find(terrain.heightMap);
+    if (known != world.heightFiles.end() && known->second.minHeight == terrain.minHeight && known->second.maxHeight == terrain.maxHeight &&
+        (known->second.heights == heights || known->second.heights->sameHeights(*heights)))
+        return terrain;
     if (const Result<fs::path> path = insideFolder(world.project.folder, terrain.heightMap); !path) return path.error();
+    if (!holdsHeights(terrain.heightMap)) terrain.heightMap = freshFile(world.project.folder, terrain.heightMap, ".png");
     Result<std::string> bytes = encodeHeightMap(*heights, terrain);
     if (!bytes) return Error{shown(world.project.folder, terrain.heightMap), bytes.error().what};
+    // Between other heights the same file would mean another ground in the scenes that share it.
+    const bool moved = terrain.minHeight != world.scene.terrain().minHeight || terrain.maxHeight != world.scene.terrain().maxHeight;
+    if (moved && std::ranges::any_of(world.project.scenes, [&](const SceneEntry& other) { return named(world, other, terrain.heightMap); }))
+        terrain.heightMap = freshFile(world.project.folder, terrain.heightMap, fs::path{terrain.heightMap}.extension().string());
     transaction.add(terrain.heightMap, *std::move(bytes));
     return terrain;
 }
@@ -176,7 +202,9 @@ Status addCover(FileTransaction& transaction, const World& world)
 {
     const std::string& file = world.scene.terrain().coverMap;
     const auto& cover = world.scene.cover();
-    if (!cover || file.empty() || cover == world.savedCover || (world.savedCover && *cover == *world.savedCover)) return {};
+    if (!cover || file.empty()) return {};
+    const auto known = world.coverFiles.find(file);
+    if (known != world.coverFiles.end() && (known->second == cover || *known->second == *cover)) return {};
     if (const Result<fs::path> path = insideFolder(world.project.folder, file); !path) return path.error();
     Result<std::string> bytes = encodeCoverMap(*cover);
     if (!bytes) return Error{shown(world.project.folder, file), bytes.error().what};
@@ -261,9 +289,9 @@ Result<FileTransaction::Report> saveWorld(World& world)
     for (const fs::path& kept : report->kept)
         log::warning("{}: another program changed it; the template is deleted, but the file stays",
                      (folder / kept).string());
-    world.scene.exchange(*std::move(terrain)); // whose two heights may lie farther apart now
-    world.savedHeights = world.scene.heights();
-    world.savedCover = world.scene.cover();
+    if (world.scene.heights()) world.heightFiles[terrain->heightMap] = {world.scene.heights(), terrain->minHeight, terrain->maxHeight};
+    if (world.scene.cover()) world.coverFiles[terrain->coverMap] = world.scene.cover();
+    world.scene.exchange(*std::move(terrain)); // whose two heights may lie farther apart now, or in another file
     remember(world, std::move(body.templates), std::move(templateFiles));
     return report;
 }

@@ -36,8 +36,13 @@ struct World {
     SceneEntry entry;            // the scene that is open
     std::string environmentFile; // environments/NAME.json, named by the scene
     Scene scene;                 // objects, templates, environment, terrain; cameras and paths from project.json
-    std::shared_ptr<const HeightMap> savedHeights; // as their file holds them; null: not read or written yet
-    std::shared_ptr<const CoverMap> savedCover; // likewise
+    // What files of the ground that were read or written hold, by their names: those are not written again.
+    struct HeightFile {
+        std::shared_ptr<const HeightMap> heights;
+        double minHeight = 0, maxHeight = 0; // that they were read or written with
+    };
+    std::map<std::string, HeightFile, std::less<>> heightFiles;
+    std::map<std::string, std::shared_ptr<const CoverMap>, std::less<>> coverFiles;
     // Templates that were read from a file or saved to it, and what it held (fingerprint()): only that file is
     // removed when its template is deleted.
     std::map<std::string, std::uint64_t, std::less<>> templateFiles;
@@ -56,7 +61,8 @@ std::vector<std::string> otherScenesWith(const World& world, std::string_view te
 // Models and layer images that the scene names, and its heights, which become the scene's. What cannot be read is complained
 // about and replaced by a stand-in, so that the rest can be worked on. An error only when cancelled.
 Result<Assets> readAssets(World& world, Complaints& complaints, const Progress& progress = {});
-// The heights that a terrain of this project names; null, with a complaint, where they cannot be read.
+// The heights that a terrain of this project names; null, with a complaint, where they cannot be read. The caller tells the
+// world's heightFiles, and coverFiles, of what it keeps.
 std::shared_ptr<const HeightMap> readHeights(const World& world, const Terrain& terrain, Complaints& complaints);
 // The cover of that name over heights of that size; likewise.
 std::shared_ptr<const CoverMap> readCover(const World& world, const Terrain& terrain, glm::ivec2 size, Complaints& complaints);

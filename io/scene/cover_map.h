@@ -10,6 +10,8 @@ namespace io {
 
 constexpr std::uint32_t kHoleBit = 0x80;
 
+constexpr int kMostLayers = 32;
+
 struct Cover {
     int base = 0, over = 0;  // layers, 0..31
     float share = 0;         // of `over`, 0..1

@@ -20,7 +20,7 @@ public:
     double metresPerTexel = 1;
     glm::dvec2 origin{0};   // world x and z of texel (0, 0)
     float min = 0, max = 0; // m
-    // Its file holds shares of the way from Terrain::minHeight to maxHeight, not metres.
+    // Read as shares of the way from Terrain::minHeight to maxHeight, not as metres: other such heights scale it.
     bool shares = false;
 
     float at(int x, int z) const { return m_field.at(x, z); } // texel, in range

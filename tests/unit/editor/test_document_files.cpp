@@ -2,7 +2,9 @@
 
 #include "editor/arrange.h"
 #include "editor/brush.h"
+#include "editor/painting.h"
 #include "io/files/atomic_file.h"
+#include "io/files/height_map_file.h"
 #include "io/files/image_file.h"
 #include "io/files/png_file.h"
 #include "io/files/model_file.h"
@@ -191,6 +193,70 @@ TEST_F(DocumentFiles, ShapedGroundIsSavedWithTheRestAndComesBack)
     EXPECT_NEAR(*m_document->scene().heights()->height(1, 1), top, 1e-3);
     ASSERT_TRUE(m_document->reload());
     EXPECT_NEAR(*m_document->scene().heights()->height(1, 1), top, 0.02);
+}
+
+TEST_F(DocumentFiles, UndoAcrossASaveThatMovedTheRangeDoesNotMoveTheGround)
+{
+    const auto patch = dabOn(*m_document->scene().heights(), {.radius = 2}, {.centre = {1, 1}, .amount = 70});
+    setHeights(*m_document, "Raise", std::make_shared<const io::HeightMap>(m_document->scene().heights()->with(patch->heights, patch->at)),
+               patch->rect());
+    io::Terrain terrain = m_document->scene().terrain();
+    terrain.layers.push_back({.name = "more"});
+    setTerrain(*m_document, "Layer", terrain); // holds the range from before the save
+    const double top = *m_document->scene().heights()->height(1, 1);
+    ASSERT_TRUE(m_document->save());
+    m_document->undo();
+    ASSERT_TRUE(m_document->save());
+    ASSERT_TRUE(m_document->reload());
+    EXPECT_NEAR(*m_document->scene().heights()->height(1, 1), top, 0.01);
+}
+
+TEST_F(DocumentFiles, PaintThatWasUndoneAndDoneAgainIsWritten)
+{
+    io::Terrain terrain = m_document->scene().terrain();
+    terrain.layers = {{.name = "one"}, {.name = "two"}};
+    setTerrain(*m_document, "Layers", terrain);
+    const auto fill = [&] { fillCover(*m_document, "Fill", {.tool = BrushTool::Paint, .layer = 1}); };
+    fill();
+    ASSERT_TRUE(m_document->save());
+    m_document->undo();
+    fill(); // the file of the first one is still there, so another is made
+    ASSERT_TRUE(m_document->save());
+    const io::CoverMap painted = *m_document->scene().cover();
+    ASSERT_TRUE(m_document->reload());
+    ASSERT_NE(m_document->scene().cover(), nullptr);
+    EXPECT_EQ(*m_document->scene().cover(), painted);
+}
+
+TEST_F(DocumentFiles, AnotherHeightMapIsFollowedByMirrorsAndNotWritten)
+{
+    const fs::path first = m_document->project().folder / m_document->scene().terrain().heightMap;
+    const fs::path second = first.parent_path() / "other.png";
+    const auto size = m_document->scene().heights()->size;
+    io::HeightGrid slope{.size = size};
+    for (int i = 0; i < size.x * size.y; ++i)
+        slope.metres.push_back(float(i % size.x));
+    const io::Terrain before = m_document->scene().terrain();
+    ASSERT_TRUE(io::writeHeightMap16(second, slope, before.minHeight, before.maxHeight));
+    const auto bytes = io::readFile(second);
+    Picker picker;
+    test::followed(picker, *m_document).prepare();
+    const auto agrees = [&] {
+        const io::HeightMap& map = *m_document->scene().heights();
+        const glm::dvec2 at = map.origin + glm::dvec2{map.size - 1} * map.metresPerTexel * 0.7;
+        const PickHit hit = test::followed(picker, *m_document).pick({.origin = {at.x, 1e4, at.y}, .direction = {0, -1, 0}}, {.objects = false});
+        return hit.surface == Surface::Terrain && std::abs(hit.position.y - *map.height(at.x, at.y)) < 1e-3;
+    };
+    io::Terrain terrain = before;
+    terrain.heightMap = "terrain/other.png";
+    setTerrain(*m_document, "Other", terrain);
+    EXPECT_FALSE(m_document->scene().heights()->sameHeights(io::HeightMap{io::HeightGrid{.size = size, .metres = std::vector<float>(slope.metres.size(), 10)}}));
+    EXPECT_TRUE(agrees());
+    ASSERT_TRUE(m_document->save());
+    EXPECT_EQ(*io::readFile(second), *bytes);
+    m_document->undo();
+    EXPECT_TRUE(agrees());
+    EXPECT_NEAR(*m_document->scene().heights()->height(0, 0), 10, 0.01);
 }
 
 TEST_F(DocumentFiles, ShapedGroundIsScaledAndUndone)
