@@ -3,6 +3,7 @@
 #include "io/base/contract.h"
 #include "io/base/noise.h"
 #include "io/base/random.h"
+#include "io/scene/settling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,24 +108,6 @@ float noiseAt(const Brush& brush, const glm::dvec2& place)
     case BrushNoise::Ridged: return io::simplexRidged(p, seed, {.count = kOctaves}) * 2 - 1;
     default: return io::simplexFbm(p, seed, {.count = kOctaves});
     }
-}
-
-// Loose ground above the angle of rest slides to its lower neighbours (Musgrave, Kolb and Mace 1989).
-io::HeightGrid slumped(io::HeightGrid heights, float degrees, int passes)
-{
-    const float most = std::tan(glm::radians(degrees)) * float(heights.metresPerTexel);
-    for (int pass = 0; pass < passes; ++pass)
-        for (int z = 1; z + 1 < heights.size.y; ++z)
-            for (int x = 1; x + 1 < heights.size.x; ++x) {
-                float& own = heights.at(x, z);
-                for (float* next : {&heights.at(x + 1, z), &heights.at(x - 1, z), &heights.at(x, z + 1), &heights.at(x, z - 1)}) {
-                    const float over = own - *next - most;
-                    if (over <= 0) continue;
-                    own -= over * 0.22f;
-                    *next += over * 0.22f;
-                }
-            }
-    return heights;
 }
 
 // Drops that begin under the brush, run downhill and carry soil along (Beyer 2015, "Implementation of a method for hydraulic
@@ -301,7 +284,12 @@ std::optional<HeightPatch> dabOn(const io::HeightMap& map, const Brush& brush, c
         break;
     }
     case BrushTool::Erode: towards(eroded(before, brush, dab).metres); break;
-    case BrushTool::Slump: towards(slumped(before, brush.talus, 4).metres); break;
+    case BrushTool::Slump: {
+        io::HeightGrid settled = before;
+        io::settle(settled, brush.talus, 4);
+        towards(settled.metres);
+        break;
+    }
     default: break;
     }
     return patch;

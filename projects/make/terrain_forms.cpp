@@ -38,11 +38,6 @@ float cubic(float a, float b, float c, float d) // half way between b and c (Cat
     return (9 * (b + c) - a - d) / 16;
 }
 
-float clampedAt(const io::HeightGrid& map, int x, int z)
-{
-    return map.at(std::clamp(x, 0, map.size.x - 1), std::clamp(z, 0, map.size.y - 1));
-}
-
 } // namespace
 
 io::HeightGrid doubled(const io::HeightGrid& map)
@@ -54,8 +49,8 @@ io::HeightGrid doubled(const io::HeightGrid& map)
         for (int x = 0; x < side; ++x) {
             const int half = x / 2;
             out(x, 2 * z) = x % 2 == 0 ? map.at(half, z)
-                                       : cubic(clampedAt(map, half - 1, z), map.at(half, z),
-                                               clampedAt(map, half + 1, z), clampedAt(map, half + 2, z));
+                                       : cubic(map.clampedAt(half - 1, z), map.at(half, z),
+                                               map.clampedAt(half + 1, z), map.clampedAt(half + 2, z));
         }
     for (int z = 1; z < side; z += 2)
         for (int x = 0; x < side; ++x)
@@ -165,24 +160,6 @@ void rainOn(io::HeightGrid& map, const Rain& rain)
     Erosion erosion{map, rain};
     for (int i = 0; i < rain.drops; ++i)
         erosion.drop();
-}
-
-void settle(io::HeightGrid& map, float degrees, int passes)
-{
-    const float most = std::tan(glm::radians(degrees)) * float(map.metresPerTexel);
-    const int side = map.size.x;
-    for (int pass = 0; pass < passes; ++pass)
-        for (int z = 1; z + 1 < side; ++z)
-            for (int x = 1; x + 1 < side; ++x) {
-                float* h = &map.metres[std::size_t(z) * side + x];
-                for (const std::ptrdiff_t offset :
-                     {std::ptrdiff_t(1), std::ptrdiff_t(-1), std::ptrdiff_t(side), -std::ptrdiff_t(side)}) {
-                    const float over = h[0] - h[offset] - most;
-                    if (over <= 0) continue;
-                    h[0] -= over * 0.22f;
-                    h[offset] += over * 0.22f;
-                }
-            }
 }
 
 float heightAt(const io::HeightGrid& map, glm::vec2 place)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/scene/height_grid.h"
+#include "io/scene/settling.h"
 
 #include <cstdint>
 #include <functional>
@@ -29,8 +30,7 @@ struct Rain {
 };
 void rainOn(io::HeightGrid& map, const Rain& rain);
 
-// Soil steeper than `degrees` slides until it rests.
-void settle(io::HeightGrid& map, float degrees, int passes);
+using io::settle;
 
 float slopeAt(const io::HeightGrid& map, glm::vec2 place);  // degrees
 float heightAt(const io::HeightGrid& map, glm::vec2 place); // m, clamped to the field
