@@ -12,10 +12,9 @@ namespace {
 struct Coming {
     std::string_view key, now;
 };
-constexpr std::array<Coming, 5> kComing{{{"ao", "off"},
+constexpr std::array<Coming, 4> kComing{{{"ao", "off"},
                                          {"grass", "off"},
                                          {"bloom", "off"},
-                                         {"terrain", "grid"},
                                          {"sky", "tables"}}};
 
 const Coming* coming(std::string_view key)
@@ -109,6 +108,9 @@ Quality applyQuality(Quality quality, std::string_view device, renderer::Setting
         settings.antiAliasing = tier.antiAliasing;
         settings.wind = tier.wind;
         settings.skyPixels = tier.skyPixels;
+        // Cheap where a card cuts triangles, dear where a processor does; what shows is the same.
+        const bool cuts = quality >= Quality::High && !drawsInSoftware(device);
+        settings.terrain = cuts ? renderer::GroundStages::Tessellation : renderer::GroundStages::Grid;
     }
     return quality;
 }

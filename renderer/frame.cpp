@@ -46,7 +46,7 @@ Picture Renderer::State::render(const FrameInput& in)
     gpu.constants(LIGHT_BINDING, viewpoint.light);
 
     skyTables.update(gpu, viewpoint.light);
-    scenery.terrain.aim(viewpoint.eye, viewpoint.culledFor, in.settings.lod ? std::max(in.settings.lodPixels, 1.0f) : 1.0f);
+    scenery.terrain.aim(viewpoint.eye, viewpoint.culledFor, in.settings.lod ? in.settings.lodPixels : 1.0f);
     shadow.render(gpu, scenery, viewpoint, in.settings);
     const GeometryPass::Drawn drawn = drawSurfaces(gpu, in, viewpoint);
     const GBuffer& surfaces = geometry.finish();
@@ -122,7 +122,7 @@ GeometryPass::Drawn Renderer::State::drawSurfaces(GpuFrame& gpu, const FrameInpu
     {
         const auto scope = gpu.scope("cull");
         drawn.objects = chooser.choose(gpu, scenery, request, in.settings, occlusion);
-        drawn.ground = scenery.terrain.draws(gpu.stream(), volume);
+        drawn.ground = scenery.terrain.draws(gpu.stream(), volume, in.settings.terrain);
     }
     {
         const auto scope = gpu.scope("geometry");
@@ -166,7 +166,9 @@ void Renderer::State::count(const GeometryPass::Drawn& drawn)
     stats.instancesInside = counts.inside;
     stats.instancesLarge = counts.large;
     stats.instancesHidden = counts.hidden;
-    stats.trianglesDrawn = drawn.ground.triangles;
+    stats.trianglesDrawn = 0;
+    for (const Terrain::Draw& part : drawn.ground)
+        stats.trianglesDrawn += part.triangles;
     for (std::size_t level = 0; level < MOST_LEVELS; ++level) {
         std::uint64_t triangles = counts.triangles[level]; // the GPU's, that of lists the CPU's
         for (const DrawList& list : drawn.objects)

@@ -13,6 +13,7 @@ namespace renderer {
 enum class AntiAliasing { Off, Fxaa };
 enum class ToneMap { Agx, Neutral, Aces, Reinhard };
 enum class Shading { Pbr, BlinnPhong };
+enum class GroundStages { Tessellation, Grid }; // how the ground's vertices are made
 enum class Culler { Auto, Cpu, Gpu }; // auto: the GPU where there is one
 
 struct Settings {
@@ -27,6 +28,7 @@ struct Settings {
     AntiAliasing antiAliasing = AntiAliasing::Fxaa;
     ToneMap toneMap = ToneMap::Agx;
     Shading shading = Shading::Pbr;
+    GroundStages terrain = GroundStages::Grid; // set by --quality
 
     float lodPixels = 1; // how far a coarser level may stray from the full model, in pixels, or texels of a shadow map; set by --quality
     float meshLeeway = 1; // so many times as far may meshes in the picture, but not impostors, flat as they are; set by --quality
@@ -42,6 +44,7 @@ struct Settings {
 constexpr auto enumNames(AntiAliasing) { return std::array<std::string_view, 2>{"off", "fxaa"}; }
 constexpr auto enumNames(ToneMap) { return std::array<std::string_view, 4>{"agx", "neutral", "aces", "reinhard"}; }
 constexpr auto enumNames(Culler) { return std::array<std::string_view, 3>{"auto", "cpu", "gpu"}; }
+constexpr auto enumNames(GroundStages) { return std::array<std::string_view, 2>{"tessellation", "grid"}; }
 constexpr auto enumNames(Shading) { return std::array<std::string_view, 2>{"pbr", "blinn-phong"}; }
 
 void fields(auto& v, io::Of<Settings> auto& s)
@@ -58,6 +61,7 @@ void fields(auto& v, io::Of<Settings> auto& s)
     v("aa", s.antiAliasing, io::Hint{});
     v("tonemap", s.toneMap, io::Hint{});
     v("shading", s.shading, io::Hint{});
+    v("terrain", s.terrain, io::Hint{});
 }
 
 inline io::Shadows capped(io::Shadows shadows, const Settings& settings)
@@ -70,12 +74,13 @@ inline io::Shadows capped(io::Shadows shadows, const Settings& settings)
 
 // What of the frame is shown in place of the finished picture.
 enum class Show {
-    Final, Albedo, Normal, Roughness, Depth, Position, Id, Ao, Shadow, Cascade, Luminance, Wireframe, Lod, Overdraw, Nodes
+    Final, Albedo, Normal, Roughness, Depth, Position, Id, Ao, Shadow, Cascade, Luminance, Wireframe, Lod, Overdraw, Nodes,
+    Contours, Slope, Grid, Layers, Tiles // of the ground
 };
 constexpr auto enumNames(Show)
 {
-    return std::array<std::string_view, 15>{"final",  "albedo",  "normal",    "roughness", "depth", "position", "id",      "ao",
-                                            "shadow", "cascade", "luminance", "wireframe", "lod",   "overdraw", "nodes"};
+    return std::array<std::string_view, 20>{"final",  "albedo",  "normal",    "roughness", "depth", "position", "id",    "ao",     "shadow", "cascade",
+                                            "luminance", "wireframe", "lod",   "overdraw", "nodes", "contours", "slope", "grid",   "layers", "tiles"};
 }
 
 } // namespace renderer

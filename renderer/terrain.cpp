@@ -1,6 +1,5 @@
 #include "renderer/terrain.h"
 
-#include "renderer/pixels.h"
 #include "renderer/shaders/shared/bindings.h"
 
 #include <algorithm>
@@ -12,13 +11,25 @@
 namespace renderer {
 namespace {
 
-constexpr int kSide = TERRAIN_QUADS + 1;             // vertices
-constexpr int kQuarter = TERRAIN_QUADS / 2;          // quads
-constexpr std::uint32_t kQuarterIndices = kQuarter * kQuarter * 6;
-constexpr double kErrorPixels = 1.5;
-constexpr int kLargestLayer = 1024; // texels
+constexpr int kSide = TERRAIN_QUADS + 1; // vertices
+constexpr std::uint32_t kGridIndices = TERRAIN_QUADS * TERRAIN_QUADS * 6;
+// A node's error is that of its worst place, by whose nearest point it is judged: 99.9 % of what is seen strays less than 0.44 of
+// that, the rest less than 0.8 (tests/gl/test_cracks.cpp).
+constexpr double kErrorLeeway = 2;
+constexpr double kSmallestQuad = 2.5;     // times the error allowed: half of it is hardly coarser than what pixels show
+constexpr double kSmallestSegment = 1.25; // the same
+// Mesa's software tessellation takes a time that grows with the square of what one draw makes.
+constexpr std::uint32_t kPatchesAtOnce = 64;
 constexpr std::size_t kFewPlaces = 64;
-static_assert(TERRAIN_LAYERS == io::kMostLayers);
+
+struct DrawElements { // as glMultiDrawElementsIndirect() reads them
+    std::uint32_t count = 0, instances = 1, first = 0;
+    std::int32_t base = 0;
+    std::uint32_t baseInstance = 0;
+};
+struct DrawArrays {
+    std::uint32_t count = 0, instances = 1, first = 0, baseInstance = 0;
+};
 
 std::int16_t nearest(float v) // std::lround() takes longer than all the rest of a normal
 {
@@ -55,13 +66,6 @@ glm::i16vec2 halved(const Normals& from, glm::ivec2 size, int x, int z)
     return glm::i16vec2{(glm::ivec2{texel[0]} + glm::ivec2{texel[right]} + glm::ivec2{texel[below]} + glm::ivec2{texel[right + below]}) / 4};
 }
 
-// Brightness stands for the height of a cover's texels: stones over the earth between them.
-void heightIntoAlpha(Pixels& pixels)
-{
-    for (glm::u8vec4& p : pixels)
-        p.w = std::uint8_t((p.x * 54 + p.y * 183 + p.z * 19) >> 8);
-}
-
 bool holeBit(std::uint32_t texel)
 {
     return (texel & io::kHoleBit) != 0;
@@ -72,80 +76,19 @@ bool holes(const std::vector<std::uint32_t>& cover)
     return std::ranges::any_of(cover, holeBit);
 }
 
-using Images = std::vector<std::shared_ptr<const io::Image>>;
-
-int sideFor(const Images& images)
-{
-    int side = 1;
-    for (const auto& image : images)
-        if (image) side = std::max(side, textureSide(image->size, kLargestLayer));
-    return side;
-}
-
-gl::Texture layerArray(std::string_view label, const Images& images, ColourSpace space)
-{
-    const int side = sideFor(images);
-    gl::Texture array{{.label = label,
-                       .size = glm::ivec2{side},
-                       .layers = std::max(int(images.size()), 1),
-                       .mips = gl::fullMipCount(glm::ivec2{side}),
-                       .wrap = GL_REPEAT,
-                       .anisotropic = true,
-                       .lodBias = -0.6f}}; // the ground mostly runs away from the eye
-    std::vector<MipRequest> requests;
-    std::vector<int> layers; // of the requests
-    for (std::size_t layer = 0; layer < images.size(); ++layer) {
-        if (!images[layer]) continue;
-        requests.push_back({images[layer].get(), side, space});
-        layers.push_back(int(layer));
-    }
-    mipChains(requests, [&](std::size_t number, std::vector<Pixels>& mips) {
-        for (std::size_t mip = 0; mip < mips.size(); ++mip) {
-            if (space == ColourSpace::Srgb) heightIntoAlpha(mips[mip]);
-            array.upload(mips[mip].data(), GL_RGBA, GL_UNSIGNED_BYTE, int(mip), layers[number]);
-        }
-    });
-    return array;
-}
-
-// Rise at the low end and fall at the high one, each over twice the half width; ends of the scale have no border.
-glm::vec4 rampsOf(const glm::vec2& range, float half, const glm::vec2& scale)
-{
-    const float factor = 0.5f / half;
-    glm::vec4 ramps{0, 1, 0, 1};
-    if (range.x > scale.x) ramps.x = factor, ramps.y = 0.5f - range.x * factor;
-    if (range.y < scale.y) ramps.z = -factor, ramps.w = 0.5f + range.y * factor;
-    return ramps;
-}
-
-glsl::TerrainLayer layerBlock(const io::TerrainLayer& layer, bool colour, bool normal, int index)
-{
-    const float blend = std::max(layer.blend, 1e-3f);
-    glsl::TerrainLayer block{};
-    block.colour = layer.colour;
-    block.repeats = 1 / std::max(layer.metres, 1e-3f);
-    block.slopeRamps = rampsOf(layer.slope, blend * 7.5f, {0, 90});
-    block.altitudeRamps = rampsOf(layer.altitude, blend * 20, {-1e5f, 1e5f});
-    block.ragged = {blend * 12, blend * 40};
-    block.roughness = layer.roughness;
-    block.colourLayer = colour ? float(index) : -1.0f;
-    block.normalLayer = normal ? float(index) : -1.0f;
-    return block;
-}
-
-std::uint32_t quarterOffset(int quarter)
-{
-    return std::uint32_t(quarter) * kQuarterIndices;
-}
-
 } // namespace
+
+ProgramDesc groundProgram(std::string label, GroundStages stages, std::string fragment, std::vector<std::string> defines)
+{
+    if (stages == GroundStages::Grid) return {std::move(label), {"terrain.vert.glsl", std::move(fragment)}, std::move(defines)};
+    return {std::move(label), {"terrain_patch.vert.glsl", "terrain.tesc.glsl", "terrain.tese.glsl", std::move(fragment)}, std::move(defines)};
+}
 
 Terrain::Terrain()
 {
     makeGrid();
 }
 
-// Vertices of one grid; indices by quarter, so that a quarter or the whole is one run.
 void Terrain::makeGrid()
 {
     std::vector<glm::u8vec2> vertices;
@@ -153,26 +96,27 @@ void Terrain::makeGrid()
         for (int x = 0; x < kSide; ++x)
             vertices.emplace_back(x, z);
     std::vector<std::uint16_t> indices;
-    for (int quarter = 0; quarter < 4; ++quarter)
-        for (int z = 0; z < kQuarter; ++z)
-            for (int x = 0; x < kQuarter; ++x) {
-                const int column = x + (quarter & 1) * kQuarter;
-                const int row = z + (quarter >> 1) * kQuarter;
-                const int a = row * kSide + column, b = a + 1, c = a + kSide, d = c + 1;
-                for (const int i : {a, c, b, b, c, d}) // the diagonal from (x+1, z) to (x, z+1)
-                    indices.push_back(std::uint16_t(i));
-            }
+    for (int z = 0; z < TERRAIN_QUADS; ++z)
+        for (int x = 0; x < TERRAIN_QUADS; ++x) {
+            const int a = z * kSide + x, b = a + 1, c = a + kSide, d = c + 1;
+            for (const int i : {a, c, b, b, c, d}) // the diagonal from (x+1, z) to (x, z+1)
+                indices.push_back(std::uint16_t(i));
+        }
     m_gridVertices = gl::Buffer{"ground grid", vertices.size() * sizeof(vertices[0])};
     m_gridVertices.write(0, std::as_bytes(std::span{vertices}));
     m_gridIndices = gl::Buffer{"ground grid indices", indices.size() * sizeof(indices[0])};
     m_gridIndices.write(0, std::as_bytes(std::span{indices}));
 
-    m_array = gl::VertexArray{"ground"};
-    m_array.attribute(0, 0, 2, GL_UNSIGNED_BYTE, 0);
-    m_array.attribute(1, 1, 4, GL_FLOAT, 0);
-    m_array.perInstance(1);
-    m_array.source(0, m_gridVertices.id(), 0, sizeof(glm::u8vec2));
-    m_array.indices(m_gridIndices.id());
+    m_grids = gl::VertexArray{"ground grids"};
+    m_grids.attribute(0, 0, 2, GL_UNSIGNED_BYTE, 0);
+    m_grids.perInstance(1);
+    m_grids.source(0, m_gridVertices.id(), 0, sizeof(glm::u8vec2));
+    m_grids.indices(m_gridIndices.id());
+    m_patches = gl::VertexArray{"ground patches"};
+    for (gl::VertexArray* array : {&m_grids, &m_patches}) {
+        array->attribute(1, 1, 4, GL_FLOAT, 0);
+        array->attribute(2, 1, 4, GL_FLOAT, offsetof(glsl::TerrainPatch, edges));
+    }
 }
 
 void Terrain::update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes)
@@ -186,7 +130,7 @@ void Terrain::update(const io::Scene& scene, const io::Assets& assets, const io:
         m_map = nullptr;
         m_heights = {};
         m_normals = {};
-        m_nodes.clear();
+        m_choice.clear();
         updateCover(nullptr, changes);
         return;
     }
@@ -202,7 +146,7 @@ void Terrain::update(const io::Scene& scene, const io::Assets& assets, const io:
         for (const io::TexelRect& changed : changes.heights)
             changeHeights(common(changed, m_map->texels()));
     }
-    if (fields || !m_layerColours) uploadLayers(scene.terrain(), assets);
+    if (fields || !m_layers.present()) m_layers.update(scene.terrain(), assets, m_block);
 }
 
 void Terrain::uploadHeights()
@@ -298,57 +242,30 @@ void Terrain::uploadNormals(const io::TexelRect& changed)
     }
 }
 
-void Terrain::uploadLayers(const io::Terrain& terrain, const io::Assets& assets)
+void Terrain::aim(const Eye& eye, const Eye& levelsFor, double errorPixels)
 {
-    const std::size_t count = std::min<std::size_t>(terrain.layers.size(), TERRAIN_LAYERS);
-    Images colours(count), normals(count);
-    for (std::size_t i = 0; i < count && i < assets.layers.size(); ++i) {
-        colours[i] = assets.layers[i].colour;
-        normals[i] = assets.layers[i].normal;
-    }
-    m_block.layers = int(count);
-    for (std::size_t i = 0; i < count; ++i)
-        m_block.layer[i] = layerBlock(terrain.layers[i], colours[i] != nullptr, normals[i] != nullptr, int(i));
-    if (count == 0) { // bare earth
-        m_block.layers = 1;
-        m_block.layer[0] = layerBlock({.colour = {0.16f, 0.17f, 0.11f}}, false, false, 0);
-    }
-    Images images = colours;
-    images.insert(images.end(), normals.begin(), normals.end());
-    if (images == m_layerImages && m_layerColours) return; // a rule or a colour changed, no picture
-    m_layerColours = layerArray("ground colours", colours, ColourSpace::Srgb);
-    m_layerNormals = layerArray("ground bumps", normals, ColourSpace::Linear);
-    m_layerImages = std::move(images);
-}
-
-void Terrain::aim(const Eye& eye, const Eye& levelsFor, double leniency)
-{
-    m_nodes.clear();
+    m_choice.clear();
     if (!present()) return;
     const io::HeightMap& map = *m_map;
-    const auto inTerrain = [&map](const Eye& e) { return glm::dvec2{e.position.x, e.position.z} - map.origin; };
-    const glm::dvec2 levelsFrom = inTerrain(levelsFor);
-    const glm::dvec2 reach = glm::dvec2{map.size - 1} * map.metresPerTexel;
-    const glm::dvec2 nearest = map.origin + glm::clamp(levelsFrom, glm::dvec2{0}, reach);
-    const double ground = map.height(nearest.x, nearest.y).value_or(map.min);
+    const auto inTerrain = [&map](const Eye& e) { return glm::dvec3{e.position.x - map.origin.x, e.position.y, e.position.z - map.origin.y}; };
+    const glm::dvec3 own = inTerrain(eye), levelsFrom = inTerrain(levelsFor);
+    const double pixel = pixelAngle(levelsFor);
+    m_choice.choose(m_tree, {.place = levelsFrom,
+                             .metresPerTexel = map.metresPerTexel,
+                             .errorAngle = kErrorLeeway * errorPixels * pixel,
+                             .smallestQuad = kSmallestQuad * errorPixels * pixel});
+    m_block.eyeInTerrain = {own.x, own.z};
+    m_block.eyeHeight = float(own.y);
+    m_block.levelsFrom = levelsFrom;
+    m_block.segmentAngle = float(kSmallestSegment * errorPixels * pixel);
+}
 
-    const TerrainTree::Eye treeEye{
-        .texel = levelsFrom / map.metresPerTexel,
-        .eyeAbove = std::max(levelsFor.position.y - ground, 0.0) / map.metresPerTexel,
-        .firstRange = m_tree.firstRange(kErrorPixels * leniency, pixelAngle(levelsFor), map.metresPerTexel)};
-    m_nodes = m_tree.select(treeEye);
-
-    m_block.eyeInTerrain = glm::vec2{inTerrain(eye)};
-    m_block.levelsFrom = glm::vec2{levelsFrom};
-    m_block.eyeHeight = float(eye.position.y);
-    m_block.eyeAbove = float(treeEye.eyeAbove * map.metresPerTexel);
-    for (int level = 0; level < TERRAIN_LEVELS; ++level) {
-        // Whole before the range ends, begun only after the finer neighbours' last corner.
-        const double range = treeEye.firstRange * std::exp2(level) * map.metresPerTexel;
-        const bool coarsest = level + 1 >= m_tree.levels();
-        const double begin = range * 0.8, end = range * 0.985;
-        m_block.morph[level] = coarsest ? glm::vec4{1e30f, 0, 0, 0} : glm::vec4{float(begin), float(1 / (end - begin)), 0, 0};
-    }
+std::vector<std::string> Terrain::coverDefines() const
+{
+    std::vector<std::string> defines{"LAYERS " + std::to_string(m_block.layers)};
+    if (m_cover) defines.emplace_back("PAINTED");
+    if (m_holed) defines.emplace_back("HOLES");
+    return defines;
 }
 
 bool Terrain::sees(const std::optional<Volume>& volume, const GroundNode& node) const
@@ -365,37 +282,50 @@ bool Terrain::sees(const std::optional<Volume>& volume, const GroundNode& node) 
     });
 }
 
-Terrain::Draw Terrain::draws(GpuStream& stream, const std::optional<Volume>& volume) const
-{
-    std::vector<GroundNode> nodes;
-    std::ranges::copy_if(m_nodes, std::back_inserter(nodes), [&](const GroundNode& node) { return sees(volume, node); });
-    return drawsOf(stream, nodes);
-}
-
-Terrain::Draw Terrain::shadowDraws(GpuStream& stream, const std::optional<Volume>& volume, double error) const
+// What rests at the finest level is drawn as grids by both stages: those triangles are the map's, to either side of their diagonals,
+// and a tessellator chooses its own. Their edges meet, as both cut them at the same texels.
+Terrain::Draws Terrain::draws(GpuStream& stream, const std::optional<Volume>& volume, GroundStages stages) const
 {
     if (!present()) return {};
-    return drawsOf(stream, m_tree.selectLevel(m_tree.coarsestWithin(error), [&](const GroundNode& node) { return sees(volume, node); }));
+    std::vector<ChosenNode> chosen = m_choice.nodes(m_tree, [&](const GroundNode& node) { return sees(volume, node); });
+    if (stages == GroundStages::Grid) return {drawOf(stream, chosen, stages)};
+    const auto moving = std::ranges::partition(chosen, [](const ChosenNode& one) {
+        const bool edgesRest = glm::all(glm::lessThanEqual(one.edges, glm::vec4{0}) || glm::equal(one.edges, glm::vec4{1}));
+        return one.node.level == 0 && one.morph == 0 && edgesRest;
+    });
+    return {drawOf(stream, {chosen.begin(), moving.begin()}, GroundStages::Grid), drawOf(stream, moving, stages)};
 }
 
-Terrain::Draw Terrain::drawsOf(GpuStream& stream, std::span<const GroundNode> nodes) const
+Terrain::Draws Terrain::shadowDraws(GpuStream& stream, const std::optional<Volume>& volume, double error, GroundStages stages) const
 {
-    Draw draw;
+    if (!present()) return {};
+    const int level = m_tree.coarsestWithin(error);
+    std::vector<ChosenNode> chosen;
+    for (const GroundNode& node : m_tree.selectLevel(level, [&](const GroundNode& one) { return sees(volume, one); }))
+        chosen.push_back({.node = node});
+    return {drawOf(stream, chosen, level == 0 ? GroundStages::Grid : stages)};
+}
+
+Terrain::Draw Terrain::drawOf(GpuStream& stream, std::span<const ChosenNode> chosen, GroundStages stages) const
+{
+    Draw draw{.stages = stages};
+    if (chosen.empty()) return draw;
     std::vector<glsl::TerrainPatch> patches;
-    std::vector<std::array<std::uint32_t, 5>> commands;
-    for (int kind = -1; kind < 4; ++kind) { // wholes, then the quarters
-        const auto first = std::uint32_t(patches.size());
-        for (const GroundNode& node : nodes)
-            if (node.quarter == kind) patches.push_back({glm::vec2{node.origin}, float(1 << node.level), float(node.level)});
-        const auto instances = std::uint32_t(patches.size()) - first;
-        if (instances == 0) continue;
-        const std::uint32_t indices = kind < 0 ? 4 * kQuarterIndices : kQuarterIndices;
-        commands.push_back({indices, instances, quarterOffset(std::max(kind, 0)), 0, first});
-        draw.triangles += std::uint64_t(instances) * (indices / 3);
-    }
-    if (patches.empty()) return draw;
+    for (const ChosenNode& one : chosen)
+        patches.push_back({glm::vec2{one.node.origin}, float(1 << one.node.level), one.morph, one.edges});
+    const auto count = std::uint32_t(patches.size());
+    draw.triangles = count * (kGridIndices / 3);
     draw.patches = stream.put(std::span<const glsl::TerrainPatch>{patches});
-    draw.commands = stream.put(std::span<const std::array<std::uint32_t, 5>>{commands});
+    if (stages == GroundStages::Grid) {
+        const DrawElements command{.count = kGridIndices, .instances = count};
+        draw.commands = stream.put(std::span{&command, 1});
+        draw.commandCount = 1;
+        return draw;
+    }
+    std::vector<DrawArrays> commands;
+    for (std::uint32_t first = 0; first < count; first += kPatchesAtOnce)
+        commands.push_back({.count = std::min(kPatchesAtOnce, count - first), .first = first});
+    draw.commands = stream.put(std::span<const DrawArrays>{commands});
     draw.commandCount = std::uint32_t(commands.size());
     return draw;
 }
@@ -403,18 +333,15 @@ Terrain::Draw Terrain::drawsOf(GpuStream& stream, std::span<const GroundNode> no
 void Terrain::bind(GpuFrame& gpu) const
 {
     gpu.constants(TERRAIN_BINDING, m_block);
-    gpu.bind({{HEIGHTS_UNIT, &m_heights},
-              {GROUND_NORMALS_UNIT, &m_normals},
-              {LAYER_COLOURS_UNIT, &m_layerColours},
-              {LAYER_NORMALS_UNIT, &m_layerNormals}});
+    gpu.bind({{HEIGHTS_UNIT, &m_heights}, {GROUND_NORMALS_UNIT, &m_normals}});
     if (m_cover) gpu.bind({{COVER_UNIT, &m_cover}});
+    m_layers.bind(gpu);
 }
 
 void Terrain::bindForShadows(GpuFrame& gpu) const
 {
-    glsl::Terrain still = m_block;
-    for (glm::vec4& morph : still.morph)
-        morph = {1e30f, 0, 0, 0};
+    glsl::Terrain still = m_block; // of no eye, so whole
+    still.segmentAngle = 1e-9f;
     gpu.constants(TERRAIN_BINDING, still);
     gpu.bind({{HEIGHTS_UNIT, &m_heights}});
     if (m_cover) gpu.bind({{COVER_UNIT, &m_cover}});
@@ -423,11 +350,18 @@ void Terrain::bindForShadows(GpuFrame& gpu) const
 void Terrain::draw(GpuFrame& gpu, const Draw& draw)
 {
     if (draw.commandCount == 0) return;
-    m_array.source(1, draw.patches.buffer, draw.patches.offset, sizeof(glsl::TerrainPatch));
-    glBindVertexArray(m_array.id());
+    const bool grid = draw.stages == GroundStages::Grid;
+    gl::VertexArray& array = grid ? m_grids : m_patches;
+    array.source(1, draw.patches.buffer, draw.patches.offset, sizeof(glsl::TerrainPatch));
+    glBindVertexArray(array.id());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, draw.commands.buffer);
     const auto* offset = reinterpret_cast<const void*>(draw.commands.offset);
-    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, offset, GLsizei(draw.commandCount), 0);
+    if (grid) {
+        glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, offset, GLsizei(draw.commandCount), 0);
+    } else {
+        glPatchParameteri(GL_PATCH_VERTICES, 1);
+        glMultiDrawArraysIndirect(GL_PATCHES, offset, GLsizei(draw.commandCount), 0);
+    }
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
     gpu.count(draw.commandCount, draw.triangles);
 }

@@ -1,4 +1,4 @@
-// The ground on the GPU: heights, normals, layers, and the grids that a view draws.
+// The ground on the GPU: heights, normals, layers, and the grids or patches that a view draws.
 #pragma once
 
 #include "io/scene/assets.h"
@@ -6,9 +6,15 @@
 #include "io/scene/scene.h"
 #include "renderer/eye.h"
 #include "renderer/gpu_frame.h"
-#include "renderer/terrain_tree.h"
+#include "renderer/settings.h"
+#include "renderer/shader_library.h"
+#include "renderer/terrain_choice.h"
+#include "renderer/terrain_layers.h"
 
 namespace renderer {
+
+// Draws what Terrain::draws() gave, with a fragment stage that takes `place` (terrain.vert.glsl).
+ProgramDesc groundProgram(std::string label, GroundStages stages, std::string fragment, std::vector<std::string> defines = {});
 
 using Normals = std::vector<glm::i16vec2>; // x and z, as GL_RG16_SNORM
 
@@ -19,23 +25,24 @@ public:
     bool present() const { return m_heights.id() != 0; }
 
     // Chooses the levels of detail that an eye needs, to be seen by another (usually the same).
-    void aim(const Eye& eye, const Eye& levelsFor, double leniency = 1); // 1: errors of about a pixel
+    void aim(const Eye& eye, const Eye& levelsFor, double errorPixels = 1);
 
     // The chosen nodes that a volume (or, without one, everybody) sees; the block and textures are bound.
     struct Draw {
+        GroundStages stages = GroundStages::Grid;
         GpuStream::Piece patches, commands;
         std::uint32_t commandCount = 0;
-        std::uint64_t triangles = 0;
+        std::uint64_t triangles = 0; // at most
     };
-    Draw draws(GpuStream& stream, const std::optional<Volume>& volume) const;
+    using Draws = std::vector<Draw>; // at most one for each of the stages
+    Draws draws(GpuStream& stream, const std::optional<Volume>& volume, GroundStages stages) const;
     // The same wherever the eye is: of one level that strays at most `error` m. So a shadow map that is kept stays right.
-    Draw shadowDraws(GpuStream& stream, const std::optional<Volume>& volume, double error) const;
+    Draws shadowDraws(GpuStream& stream, const std::optional<Volume>& volume, double error, GroundStages stages) const;
     void bind(GpuFrame& gpu) const;          // to be shaded
     void bindForShadows(GpuFrame& gpu) const;
     void draw(GpuFrame& gpu, const Draw& draw);
 
-    int layers() const { return m_block.layers; } // at least 1
-    bool painted() const { return bool(m_cover); }
+    std::vector<std::string> coverDefines() const; // of shaders that ask which layers cover it
     bool holed() const { return m_holed; } // perhaps; what is not is drawn a little faster
     io::WorldBox bounds() const;
     std::uint64_t revision() const { return m_revision; } // counts changes of all of it
@@ -50,10 +57,9 @@ private:
     void touch(const io::TexelRect& rect, float low, float high); // what that part can shade is drawn anew; m
     void changeHeights(const io::TexelRect& changed);
     void uploadNormals(const io::TexelRect& changed);
-    void uploadLayers(const io::Terrain& terrain, const io::Assets& assets);
     void makeGrid();
     bool sees(const std::optional<Volume>& volume, const GroundNode& node) const;
-    Draw drawsOf(GpuStream& stream, std::span<const GroundNode> nodes) const;
+    Draw drawOf(GpuStream& stream, std::span<const ChosenNode> chosen, GroundStages stages) const;
 
     std::shared_ptr<const io::HeightMap> m_map;
     TerrainTree m_tree;
@@ -63,13 +69,11 @@ private:
     std::shared_ptr<const io::CoverMap> m_coverMap;
     gl::Texture m_cover; // as io::packed()
     bool m_holed = false;
-    gl::Texture m_layerColours; // height of the cover in alpha
-    gl::Texture m_layerNormals;
+    TerrainLayers m_layers;
     gl::Buffer m_gridVertices, m_gridIndices;
-    gl::VertexArray m_array;
-    std::vector<std::shared_ptr<const io::Image>> m_layerImages; // those uploaded
+    gl::VertexArray m_grids, m_patches;
     glsl::Terrain m_block{};
-    std::vector<GroundNode> m_nodes;
+    TerrainChoice m_choice;
     std::uint64_t m_revision = 0;
     std::vector<glm::dvec4> m_touched;
 };

@@ -68,6 +68,15 @@ public:
         return rows;
     }
 
+    // visit(texels, how many) for each run of a row within one tile, tile by tile.
+    template <class Visit> void eachRun(const TexelRect& rect, Visit&& visit) const
+    {
+        EXPECTS(common(rect, this->rect()) == rect);
+        eachPiece(rect, [&](glm::ivec2 tile, std::size_t inTile, std::size_t, std::size_t count) {
+            visit(this->tile(tile)->data() + inTile, count);
+        });
+    }
+
     // With rows of `extent` in place of the texels from `at` on; what of them lies beyond the edge is left out.
     TexelTiles with(std::span<const T> rows, glm::ivec2 extent, glm::ivec2 at) const
     {

@@ -17,15 +17,6 @@ GeometryPass::GeometryPass(ShaderLibrary& shaders)
     : m_shaders{shaders}, m_programs{shaders, "objects", {}, ~0u},
       m_objects{makeObjectVertexArray()}
 {
-    groundProgram(1, false, false);
-}
-
-const gl::Program& GeometryPass::groundProgram(int layers, bool painted, bool holed)
-{
-    std::vector<std::string> defines{"LAYERS " + std::to_string(layers)};
-    if (painted) defines.emplace_back("PAINTED");
-    if (holed) defines.emplace_back("HOLES");
-    return m_shaders.program({.label = "ground", .stages = {"terrain.vert.glsl", "terrain.frag.glsl"}, .defines = std::move(defines)});
 }
 
 void GeometryPass::resize(glm::ivec2 size)
@@ -69,13 +60,15 @@ void GeometryPass::drawObjects(GpuFrame& gpu, const DrawList& objects)
     });
 }
 
-void GeometryPass::drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draw& ground)
+void GeometryPass::drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draws& ground)
 {
-    if (!scenery.terrain.present() || !gpu.use(groundProgram(scenery.terrain.layers(), scenery.terrain.painted(), scenery.terrain.holed()))) return;
-    framebuffer().bind();
-    gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GL_BACK});
-    scenery.terrain.bind(gpu);
-    scenery.terrain.draw(gpu, ground);
+    for (const Terrain::Draw& part : ground) {
+        if (!gpu.use(m_shaders.program(groundProgram("ground", part.stages, "terrain.frag.glsl", scenery.terrain.coverDefines())))) continue;
+        framebuffer().bind();
+        gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GL_BACK});
+        scenery.terrain.bind(gpu);
+        scenery.terrain.draw(gpu, part);
+    }
 }
 
 const GBuffer& GeometryPass::finish()

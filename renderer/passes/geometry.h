@@ -21,11 +21,11 @@ public:
 
     struct Drawn { // the camera's lists, for passes that draw the same things again
         std::vector<DrawList> objects;
-        Terrain::Draw ground;
+        Terrain::Draws ground;
     };
     void begin(const Viewpoint& viewpoint, bool ids); // empty targets; without `ids` those stay empty
     void drawObjects(GpuFrame& gpu, const DrawList& objects);
-    void drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draw& ground);
+    void drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draws& ground);
     const GBuffer& finish();                // what later passes may read
     const GBuffer& targets() const { return m_targets; }
     bool keepsIds() const { return m_ids; }
@@ -33,7 +33,6 @@ public:
 private:
     void resize(glm::ivec2 size);
 
-    const gl::Program& groundProgram(int layers, bool painted, bool holed);
     const gl::Framebuffer& framebuffer() const { return m_ids ? m_framebuffer : m_withoutIds; }
 
     ShaderLibrary& m_shaders;

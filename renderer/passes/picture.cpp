@@ -45,9 +45,6 @@ ShowPass::ShowPass(ShaderLibrary& shaders)
     : m_shaders{shaders},
       m_flatObjects{shaders, "flat", {"POSITION_ONLY"}, kFeatureImpostor | kFeatureMask},
       m_objectLevels{shaders, "flat", {"POSITION_ONLY", "LEVELS"}, kFeatureImpostor | kFeatureMask},
-      m_flatGround{shaders.program({.label = "flat ground", .stages = {"terrain.vert.glsl", "flat.frag.glsl"}})},
-      m_groundLevels{shaders.program(
-          {.label = "ground levels", .stages = {"terrain.vert.glsl", "flat.frag.glsl"}, .defines = {"LEVELS"}})},
       m_objects{makeObjectVertexArray()}
 {
 }
@@ -65,12 +62,21 @@ void ShowPass::drawAgain(GpuFrame& gpu, Scenery& scenery, const GeometryPass::Dr
     };
     for (const DrawList& objects : drawn.objects)
         drawRanges(gpu, m_objects, objects, objects.opaque, prepare);
-    if (!scenery.terrain.present() || !gpu.use(levels ? m_groundLevels : m_flatGround)) return;
-    gl::DrawState own = state;
-    own.cull = GL_BACK;
-    gl::apply(own);
-    scenery.terrain.bind(gpu);
-    scenery.terrain.draw(gpu, drawn.ground);
+    std::vector<std::string> defines;
+    if (levels) defines.emplace_back("LEVELS");
+    drawGround(gpu, scenery, drawn.ground, state, "flat.frag.glsl", defines);
+}
+
+void ShowPass::drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draws& ground, gl::DrawState state, const char* fragment,
+                          const std::vector<std::string>& defines)
+{
+    state.cull = GL_BACK;
+    for (const Terrain::Draw& part : ground) {
+        if (!gpu.use(m_shaders.program(groundProgram("ground again", part.stages, fragment, defines)))) continue;
+        gl::apply(state);
+        scenery.terrain.bind(gpu);
+        scenery.terrain.draw(gpu, part);
+    }
 }
 
 void ShowPass::render(GpuFrame& gpu, PictureTarget& canvas, Show show, const Radiance& radiance, const GBuffer& surfaces,
@@ -83,7 +89,8 @@ void ShowPass::render(GpuFrame& gpu, PictureTarget& canvas, Show show, const Rad
         gpu.constants(PASS_BINDING, glm::vec4{1});
         drawAgain(gpu, scenery, drawn, {.blend = gl::Blend::Add}, false);
     }
-    const bool overBackdrop = show == Show::Wireframe || show == Show::Lod || show == Show::Nodes;
+    const bool ofGround = show >= Show::Contours;
+    const bool overBackdrop = show == Show::Wireframe || show == Show::Lod || show == Show::Nodes || ofGround;
     std::vector<std::string> defines{"MODE " + std::to_string(overBackdrop ? int(Show::Wireframe) : int(show))};
     if (!viewpoint.cascades.empty()) defines.emplace_back("SHADOWS");
     canvas.framebuffer.bind();
@@ -97,6 +104,12 @@ void ShowPass::render(GpuFrame& gpu, PictureTarget& canvas, Show show, const Rad
         m_depth = surfaces.depth.id();
     }
     m_withDepth.bind();
+    if (ofGround) {
+        std::vector<std::string> view = scenery.terrain.coverDefines();
+        view.insert(view.end(), {"LEVELS", "VIEW " + std::to_string(int(show) - int(Show::Contours))});
+        drawGround(gpu, scenery, drawn.ground, {.depthTest = GL_EQUAL, .blend = gl::Blend::Alpha}, "terrain_show.frag.glsl", view);
+        return;
+    }
     const bool lines = show == Show::Wireframe;
     gpu.constants(PASS_BINDING, lines ? glm::vec4{0.75f, 0.85f, 1, 1} : glm::vec4{0.85f, 0.8f, 0.7f, 1});
     const gl::DrawState state = lines ? gl::DrawState{.depthTest = GL_GEQUAL, .lines = true, .depthOffset = {1, 4}}

@@ -30,10 +30,11 @@ public:
 
 private:
     void drawAgain(GpuFrame& gpu, Scenery& scenery, const GeometryPass::Drawn& drawn, const gl::DrawState& state, bool levels);
+    void drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draws& ground, gl::DrawState state, const char* fragment,
+                    const std::vector<std::string>& defines);
 
     ShaderLibrary& m_shaders;
     ObjectPrograms m_flatObjects, m_objectLevels;
-    const gl::Program &m_flatGround, &m_groundLevels;
     gl::VertexArray m_objects;
     gl::Framebuffer m_withDepth; // the canvas and the GBuffer's depth
     GLuint m_canvas = 0, m_depth = 0;

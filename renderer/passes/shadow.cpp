@@ -56,8 +56,6 @@ ShadowPass::ShadowPass(ShaderLibrary& shaders)
       m_solidSwaying{shaders.program({.label = "shadow of solids that sway",
                                       .stages = {"objects.vert.glsl", "empty.frag.glsl"},
                                       .defines = {"POSITION_ONLY", "WIND"}})},
-      m_ground{shaders.program({.label = "shadow of the ground", .stages = {"terrain.vert.glsl", "empty.frag.glsl"}})},
-      m_holedGround{shaders.program({.label = "shadow of ground with holes", .stages = {"terrain.vert.glsl", "terrain_shadow.frag.glsl"}})},
       m_objects{makeObjectVertexArray()},
       m_lit{{.label = "no shadow", .size = {1, 1}, .layers = 1, .format = GL_DEPTH_COMPONENT32F, .compare = true}}, m_shaders{shaders}
 {
@@ -115,6 +113,7 @@ void ShadowPass::update(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpo
             .world = scenery.world.revision(),
             .terrain = scenery.terrain.revision(),
             .culling = settings.culling,
+            .ground = settings.terrain,
             .lodPixels = settings.lod ? settings.lodPixels : 0.0f,
             .wind = {viewpoint.wind.towards, viewpoint.wind.speed, viewpoint.wind.gustiness}};
     if (layer.key.time) key.time = timeFor(index, viewpoint.time);
@@ -166,11 +165,13 @@ bool ShadowPass::draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoin
         });
 
     const bool sways = mayBeSeen(scenery, viewpoint, request) && std::ranges::any_of(lists, swaysIn);
-    if (!scenery.terrain.present() || !gpu.use(scenery.terrain.holed() ? m_holedGround : m_ground)) return sways;
-    const Terrain::Draw ground = scenery.terrain.shadowDraws(gpu.stream(), volume, cascade.texel * kGroundErrorTexels);
-    gl::apply(state);
-    scenery.terrain.bindForShadows(gpu);
-    scenery.terrain.draw(gpu, ground);
+    const char* fragment = scenery.terrain.holed() ? "terrain_shadow.frag.glsl" : "empty.frag.glsl";
+    for (const Terrain::Draw& part : scenery.terrain.shadowDraws(gpu.stream(), volume, cascade.texel * kGroundErrorTexels, settings.terrain)) {
+        if (!gpu.use(m_shaders.program(groundProgram("shadow of the ground", part.stages, fragment)))) continue;
+        gl::apply(state);
+        scenery.terrain.bindForShadows(gpu);
+        scenery.terrain.draw(gpu, part);
+    }
     return sways;
 }
 

@@ -21,6 +21,7 @@ private:
         glm::dvec3 towardSun{0};
         std::uint64_t world = 0, terrain = 0;
         bool culling = false;
+        GroundStages ground = GroundStages::Grid;
         float lodPixels = 0; // 0: full models
         glm::vec4 wind{0};          // its means
         std::optional<double> time; // s, where something sways
@@ -38,7 +39,7 @@ private:
     ViewChooser& nextChooser();
 
     ObjectPrograms m_masked;
-    const gl::Program &m_solid, &m_solidSwaying, &m_ground, &m_holedGround;
+    const gl::Program &m_solid, &m_solidSwaying;
     gl::VertexArray m_objects;
     gl::Texture m_maps;
     gl::Texture m_lit;

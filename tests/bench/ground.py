@@ -3,7 +3,8 @@
 
 usage: tests/bench/ground.py FOLDER SIDE
 
-Mountains of SIDE x SIDE points, a metre apart, from sums of sines whose phases depend on each other, as a PNG of 16 bits.
+Mountains of SIDE x SIDE points, a metre apart, from sums of sines, smoother the closer one looks as weathered ground is, as a PNG
+of 16 bits.
 """
 import array
 import json
@@ -15,13 +16,13 @@ import zlib
 
 
 def rows(side):
-    waves = [(2 * math.pi / (3000 / 1.9**i), 350 / 1.75**i, i * 1.7) for i in range(9)]
+    waves = [(2 * math.pi / (3000 / 1.9**i), 350 / 2.2**i, i * 1.7) for i in range(9)]
     along = [[math.sin(k * x + p) for x in range(side)] for k, _, p in waves]
     for z in range(side):
         line = [0.0] * side
         for i, (k, size, phase) in enumerate(waves):
             turned = math.sin(k * z * 1.3 + phase * 2) * size
-            own, shifted = along[i], along[i - 1]
+            own, shifted = along[i], along[max(i - 1, 0)]
             other = math.cos(k * z * 0.7 + phase) * size * 0.5
             line = [h + turned * a + other * b for h, a, b in zip(line, own, shifted)]
         yield array.array("H", [min(65535, max(0, int((h + 1200) / 2400 * 65535))) for h in line])

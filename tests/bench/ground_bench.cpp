@@ -81,9 +81,9 @@ void measureChoosing(Ground& ground, io::Value& figures)
             stream.beginFrame();
             const double start = bench::threadMs();
             ground.terrain().aim(eye, eye);
-            const auto draw = ground.terrain().draws(stream, renderer::volumeOf(eye));
+            const auto draws = ground.terrain().draws(stream, renderer::volumeOf(eye), renderer::GroundStages::Grid);
             times.push_back(bench::threadMs() - start);
-            counts.push_back(double(draw.triangles));
+            counts.push_back(double(draws.front().triangles));
             stream.endFrame();
         }
         triangles.push_back(io::Value::Object{{"above_m", above}, {"triangles", bench::share(counts, 0.5)}});

@@ -53,9 +53,9 @@ TEST_F(Layout, TerrainAgrees)
     const renderer::gl::Program& p = shaders.program(
         {.label = "ground", .stages = {"terrain.vert.glsl", "terrain.frag.glsl"}, .defines = {"LAYERS 8"}});
     ASSERT_TRUE(p);
-    EXPECT_EQ(offsetIn(p, "terrain.eyeAbove"), offsetof(glsl::Terrain, eyeAbove));
+    EXPECT_EQ(offsetIn(p, "terrain.levelsFrom"), offsetof(glsl::Terrain, levelsFrom));
     EXPECT_EQ(offsetIn(p, "terrain.eyeHeight"), offsetof(glsl::Terrain, eyeHeight));
-    EXPECT_EQ(offsetIn(p, "terrain.morph[0]"), offsetof(glsl::Terrain, morph));
+    EXPECT_EQ(offsetIn(p, "terrain.segmentAngle"), offsetof(glsl::Terrain, segmentAngle));
     EXPECT_EQ(offsetIn(p, "terrain.layer[0].colour"), offsetof(glsl::Terrain, layer));
     EXPECT_EQ(offsetIn(p, "terrain.layer[1].normalLayer"),
               offsetof(glsl::Terrain, layer) + sizeof(glsl::TerrainLayer) + offsetof(glsl::TerrainLayer, normalLayer));

@@ -1,8 +1,9 @@
 // The ground has no holes, and near the eye it is the height map itself.
 #include "renderer/ground_shadow.h"
-#include "renderer/terrain_tree.h"
+#include "renderer/terrain_choice.h"
 #include "tests/gl/support/shared_renderer.h"
 
+#include <bit>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <set>
@@ -223,24 +224,30 @@ TEST(GroundShadow, AWallShadesAsFarAsTheSunIsLow)
     EXPECT_LT(renderer::shadowHeights(kCells, heights, 1, {0, 1, 0})[4 * 64 + 39], -1000) << "overhead nothing is shaded";
 }
 
-TEST(TerrainTree, CoversEachTexelOnceAndIsFineNearTheEye)
+renderer::TerrainChoice::Eye walker(double x, double z, double height)
 {
-    const auto map = test::heightMap({300, 421}, 1, test::hills);
+    return {.place = {x, height, z}, .metresPerTexel = 1, .errorAngle = 1e-3, .smallestQuad = 5e-3};
+}
+
+std::vector<renderer::ChosenNode> chosen(const renderer::TerrainTree& tree, const renderer::TerrainChoice::Eye& eye)
+{
+    renderer::TerrainChoice choice;
+    choice.choose(tree, eye);
+    return choice.nodes(tree, [](const renderer::GroundNode&) { return true; });
+}
+
+TEST(TerrainChoice, CoversEachTexelOnceAndIsFineNearTheEye)
+{
+    const auto map = test::heightMap({300, 421}, 1, spikes);
     const renderer::TerrainTree tree{*map};
-    const auto nodes = tree.select({.texel = {120, 200}, .eyeAbove = 4, .firstRange = 110});
     std::vector<int> cover(300 * 421, 0);
     int finest = 0;
-    for (const renderer::GroundNode& node : nodes) {
-        const int side = TERRAIN_QUADS << node.level;
-        glm::ivec2 low = node.origin, high = node.origin + side;
-        if (node.quarter >= 0) {
-            low += glm::ivec2{node.quarter & 1, node.quarter >> 1} * (side / 2);
-            high = low + side / 2;
-        }
+    for (const auto& [node, morph, edges] : chosen(tree, walker(120, 200, 2))) {
+        const glm::ivec2 low = node.origin, high = low + (TERRAIN_QUADS << node.level);
         for (int z = low.y; z < std::min(high.y, 420); ++z)
             for (int x = low.x; x < std::min(high.x, 299); ++x) {
                 ++cover[std::size_t(z) * 300 + std::size_t(x)];
-                if (std::hypot(x - 120.0, z - 200.0) < 80 && node.level == 0 && node.quarter < 0) ++finest;
+                if (std::hypot(x - 120.0, z - 200.0) < 80 && node.level == 0) ++finest;
             }
     }
     int wrong = 0, near = 0;
@@ -253,30 +260,70 @@ TEST(TerrainTree, CoversEachTexelOnceAndIsFineNearTheEye)
     EXPECT_EQ(finest, near);
 }
 
-TEST(TerrainTree, NeighboursDifferByOneLevelAtMost)
+// What makes the ground tight: beside one another lie nodes of one level or of the next; on an edge both sides turn by as much, a
+// finer one wholly and a coarser one not at all.
+TEST(TerrainChoice, NodesAgreeOnTheirEdges)
 {
-    const auto map = test::heightMap({1025, 1025}, 1, spikes);
-    const renderer::TerrainTree tree{*map};
-    for (const double x : {3.0, 500.0, 777.0}) {
-        const auto nodes = tree.select({.texel = {x, 400}, .eyeAbove = 10, .firstRange = 103});
-        std::vector<int> level(1024 * 1024, -1);
-        for (const renderer::GroundNode& node : nodes) {
-            const int side = TERRAIN_QUADS << node.level;
-            const int part = node.quarter < 0 ? side : side / 2;
-            const glm::ivec2 low = node.origin + (node.quarter < 0 ? glm::ivec2{0} : glm::ivec2{node.quarter & 1, node.quarter >> 1} * part);
-            for (int z = low.y; z < std::min(low.y + part, 1024); ++z)
-                for (int tx = low.x; tx < std::min(low.x + part, 1024); ++tx)
-                    level[std::size_t(z) * 1024 + std::size_t(tx)] = node.level;
-        }
-        int jumps = 0;
-        for (int z = 1; z < 1024; ++z)
-            for (int tx = 1; tx < 1024; ++tx) {
-                const int own = level[std::size_t(z) * 1024 + std::size_t(tx)];
-                jumps += std::abs(own - level[std::size_t(z) * 1024 + std::size_t(tx) - 1]) > 1;
-                jumps += std::abs(own - level[std::size_t(z - 1) * 1024 + std::size_t(tx)]) > 1;
+    const auto rough = test::heightMap({1025, 900}, 1, spikes);
+    const auto lone = test::heightMap({1025, 900}, 1, [](double x, double z) { return std::abs(x - 300) + std::abs(z - 70) < 6 ? 900.0 : 0.0; });
+    for (const auto& map : {rough, lone}) {
+        const renderer::TerrainTree tree{*map};
+        int met = 0, turning = 0, levels = 0;
+        for (const double x : {3.0, 290.0, 500.0, 777.0}) {
+            const auto nodes = chosen(tree, walker(x, 400, 350));
+            std::vector<const renderer::ChosenNode*> at(1024 * 1024, nullptr);
+            for (const renderer::ChosenNode& one : nodes) {
+                const int side = TERRAIN_QUADS << one.node.level;
+                for (int z = one.node.origin.y; z < std::min(one.node.origin.y + side, 1024); ++z)
+                    for (int tx = one.node.origin.x; tx < std::min(one.node.origin.x + side, 1024); ++tx)
+                        at[std::size_t(z) * 1024 + std::size_t(tx)] = &one;
             }
-        EXPECT_EQ(jumps, 0) << x;
+            const auto compare = [&](const renderer::ChosenNode& a, const renderer::ChosenNode& b, int edge) { // edge: of b, towards a
+                const float own = b.edges[edge], other = a.edges[edge + 2];
+                ++met;
+                turning += own > 0 && own < 1;
+                levels |= 1 << b.node.level;
+                if (a.node.level == b.node.level) {
+                    EXPECT_EQ(own, other);
+                } else {
+                    ASSERT_EQ(std::abs(a.node.level - b.node.level), 1);
+                    EXPECT_EQ(std::max(own, other), 1);
+                    EXPECT_EQ(a.node.level < b.node.level ? own : other, renderer::kFinerBeside);
+                    EXPECT_EQ(a.node.level < b.node.level ? b.morph : a.morph, 0) << "a node beside a finer one moved";
+                }
+            };
+            for (const renderer::ChosenNode& one : nodes) {
+                const glm::ivec2 low = one.node.origin;
+                const int side = TERRAIN_QUADS << one.node.level;
+                for (int i = 0; i < side; i += TERRAIN_QUADS) {
+                    if (low.x > 0 && low.y + i < 899) compare(*at[std::size_t(low.y + i) * 1024 + std::size_t(low.x - 1)], one, 0);
+                    if (low.y > 0 && low.x + i < 1024) compare(*at[std::size_t(low.y - 1) * 1024 + std::size_t(low.x + i)], one, 1);
+                }
+            }
+        }
+        EXPECT_GT(met, 500);
+        EXPECT_GT(turning, 20);
+        EXPECT_GT(std::popcount(unsigned(levels)), 2);
     }
+}
+
+// A part measured anew is as if all were.
+TEST(TerrainTree, FollowsAPart)
+{
+    const auto before = test::heightMap({700, 601}, 1, test::hills);
+    io::HeightGrid hill{.size = {90, 70}};
+    hill.metres.assign(90 * 70, 77);
+    const io::HeightMap after = before->with(hill, {480, 240});
+    renderer::TerrainTree followed{*before};
+    followed.update(after, {{480, 240}, {570, 310}});
+    const renderer::TerrainTree fresh{after};
+    for (int level = 0; level < fresh.levels(); ++level)
+        for (int z = 0; z < fresh.nodes(level).y; ++z)
+            for (int x = 0; x < fresh.nodes(level).x; ++x) {
+                EXPECT_EQ(followed.error(level, {x, z}), fresh.error(level, {x, z})) << level;
+                EXPECT_EQ(followed.nodeAt(level, {x, z}).high, fresh.nodeAt(level, {x, z}).high) << level;
+            }
+    EXPECT_EQ(followed.coarsestWithin(0.5), fresh.coarsestWithin(0.5));
 }
 
 } // namespace

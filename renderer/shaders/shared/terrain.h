@@ -1,19 +1,18 @@
-// The ground: where it lies, how its levels of detail morph, and what covers it.
+// The ground: where it lies, the patches it is drawn as, and what covers it.
 #ifndef SHARED_TERRAIN_H
 #define SHARED_TERRAIN_H
 #include "shared.h"
 SHARED_BEGIN
 
-#define TERRAIN_QUADS 32 // along a side of a node's grid
+#define TERRAIN_QUADS 16 // along a side of a node's grid; even, and no more than what every tessellator makes of an edge
 #define TERRAIN_LEVELS 16
 #define TERRAIN_LAYERS 32
 
 struct TerrainPatch {
-    vec2 origin; // texel of the first vertex
-    float step;  // texels between vertices
-    float level;
+    vec2 origin; float step; float morph; // texel of the first vertex; texels between vertices; as ChosenNode
+    vec4 edges;
 };
-SHARED_STRUCT_END(TerrainPatch, 16)
+SHARED_STRUCT_END(TerrainPatch, 32)
 
 // A rule is a product of four ramps clamp(value * slope + offset): where slope angle and altitude rise into their
 // range and fall out of it.
@@ -27,13 +26,13 @@ struct TerrainLayer {
 SHARED_STRUCT_END(TerrainLayer, 80)
 
 struct Terrain {
-    vec2 lastTexel;   float metres;     float eyeAbove; // size - 1; m per texel; m, of that eye over the ground
-    vec2 eyeInTerrain; vec2 texelSize;  // eye from the origin, m; 1 / size
-    float eyeHeight;  int layers; vec2 levelsFrom; // m; from the origin, m: the eye that the levels are chosen for
-    vec4 morph[TERRAIN_LEVELS];         // x: distance where it begins, y: 1 / its length
+    vec2 lastTexel;    float metres;     int layers;   // size - 1; m per texel
+    vec2 eyeInTerrain; vec2 texelSize;                 // eye from the origin, m; 1 / size
+    vec3 levelsFrom;   float eyeHeight;                // m, from the origin: the eye that the levels are chosen for; m
+    float segmentAngle; float unused0; float unused1; float unused2; // rad that a tessellated edge's segment takes at least
     TerrainLayer layer[TERRAIN_LAYERS];
 };
-SHARED_STRUCT_END(Terrain, 2864)
+SHARED_STRUCT_END(Terrain, 2624)
 
 SHARED_END
 #endif

@@ -23,14 +23,16 @@ TEST(DrawingSettings, whatComesLaterMayBeSetToWhatIsTrueNow)
     renderer::Settings s;
     for (const auto& [key, now, later] : std::vector<std::array<const char*, 3>>{{"ao", "off", "on"},
                                                                                  {"grass", "off", "on"},
-                                                                                 {"bloom", "off", "on"},
-                                                                                 {"terrain", "grid", "tessellation"}}) {
+                                                                                 {"bloom", "off", "on"}}) {
         EXPECT_TRUE(setDrawing(s, key, now)) << key;
         const io::Status refused = setDrawing(s, key, later);
         ASSERT_FALSE(refused) << key;
         EXPECT_NE(refused.error().what.find("later release"), std::string::npos);
         EXPECT_EQ(*getDrawing(s, key), io::Value{now});
     }
+    EXPECT_TRUE(setDrawing(s, "terrain", "tessellation"));
+    EXPECT_EQ(s.terrain, renderer::GroundStages::Tessellation);
+    EXPECT_TRUE(setDrawing(s, "terrain", "grid"));
     EXPECT_FALSE(setDrawing(s, "aa", "taa"));
     EXPECT_TRUE(setDrawing(s, "aa", "off"));
     EXPECT_EQ(s, (renderer::Settings{.antiAliasing = renderer::AntiAliasing::Off}));
@@ -55,6 +57,9 @@ TEST(DrawingSettings, qualityCapsShadowsAndAutoSparesSoftware)
     applyQuality(Quality::Auto, "NVIDIA H100", hardware);
     applyQuality(Quality::High, "llvmpipe", high);
     EXPECT_LT(capped(io::Shadows{}, low).resolution, capped(io::Shadows{}, software).resolution);
+    EXPECT_EQ(hardware.terrain, renderer::GroundStages::Tessellation);
+    EXPECT_EQ(high.terrain, renderer::GroundStages::Grid);
+    hardware.terrain = high.terrain; // all that tells the two apart
     EXPECT_EQ(hardware, high);
     EXPECT_FALSE(low.wind || software.wind); // vertices that sway cost more
     EXPECT_TRUE(high.wind);

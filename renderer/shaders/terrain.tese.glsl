@@ -1,0 +1,30 @@
+// A vertex of a tessellated patch. Between texels it lies on the map's triangles (io::HeightGrid): whatever the patch, so that
+// neighbours meet.
+#include "terrain_surface.glsl"
+
+layout(quads, fractional_even_spacing, cw) in;
+
+layout(location = 0) patch in vec4 patchIn;
+
+invariant gl_Position;
+
+layout(location = 0) out vec3 place;
+#ifdef LEVELS
+layout(location = 1) flat out float level;
+#endif
+
+void main()
+{
+    vec2 texel = min(patchIn.xy + gl_TessCoord.xy * (patchIn.z * float(TERRAIN_QUADS)), terrain.lastTexel);
+    vec2 low = min(floor(texel), max(terrain.lastTexel - 1.0, 0.0)), f = texel - low;
+    float right = heightAt(low + vec2(1.0, 0.0)), below = heightAt(low + vec2(0.0, 1.0));
+    bool upper = f.x + f.y <= 1.0;
+    float corner = heightAt(upper ? low : low + vec2(1.0));
+    float height = corner + (right - corner) * (upper ? f.x : 1.0 - f.y) + (below - corner) * (upper ? f.y : 1.0 - f.x);
+
+    gl_Position = clipPosition(texel, height);
+    place = vec3(texel, height);
+#ifdef LEVELS
+    level = log2(patchIn.z);
+#endif
+}

@@ -1,0 +1,70 @@
+// Which nodes of the ground are drawn for an eye, and how far each has turned into its parent: a restricted quadtree, split where
+// a node's error shows. Continuous: with an eye that moves little, vertices do.
+//
+// A node's *reach* is its error over the one allowed at its distance; from 1 on it is split. Reaches are lifted until a parent has
+// kNested times those of its children and of the nodes beside them. So neighbours differ by one level at most, and vertices between
+// two levels are still on the coarser one while that one itself is at rest (compare Strugar, "Continuous Distance-Dependent Level of
+// Detail", 2010, whose ranges nest in the same way, but are the same everywhere).
+#pragma once
+
+#include "renderer/terrain_tree.h"
+
+namespace renderer {
+
+// `morph`: 0 as the map has it .. 1 as the parent is. Odd vertices of an edge use the edge's own, which both sides agree on;
+// kFinerBeside where the nodes beside are a level finer.
+struct ChosenNode {
+    GroundNode node;
+    float morph = 0;
+    glm::vec4 edges{0}; // at the low x, low z, high x, high z
+};
+constexpr float kFinerBeside = -1;
+
+class TerrainChoice {
+public:
+    struct Eye {
+        glm::dvec3 place{0};      // m; x and z from the map's first texel
+        double metresPerTexel = 1;
+        double errorAngle = 0;    // rad; how far the ground may stray
+        double smallestQuad = 0;  // rad; no quad is split that shows smaller
+    };
+    void choose(const TerrainTree& tree, const Eye& eye);
+    void clear() { m_visited.clear(); }
+
+    // What was chosen and `seen(node)` lets through, each asked after its parent.
+    template <class Test> std::vector<ChosenNode> nodes(const TerrainTree& tree, Test&& seen) const
+    {
+        std::vector<ChosenNode> chosen;
+        if (!m_visited.empty()) collect(tree, tree.levels() - 1, {0, 0}, seen, chosen);
+        return chosen;
+    }
+
+private:
+    template <class Test> void collect(const TerrainTree& tree, int level, glm::ivec2 node, Test& seen, std::vector<ChosenNode>& out) const
+    {
+        const GroundNode here = tree.nodeAt(level, node);
+        if (!seen(here)) return;
+        if (!split(tree, level, node)) return out.push_back(finished(tree, here, node));
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            const glm::ivec2 child = node * 2 + glm::ivec2{quarter & 1, quarter >> 1};
+            if (glm::all(glm::lessThan(child, tree.nodes(level - 1)))) collect(tree, level - 1, child, seen, out);
+        }
+    }
+    struct Reach {
+        float value = 0;
+        std::uint32_t turn = 0; // of choose() that set it
+    };
+    float reach(const TerrainTree& tree, int level, glm::ivec2 node) const; // 0 where none was asked for
+    bool split(const TerrainTree& tree, int level, glm::ivec2 node) const { return level > 0 && reach(tree, level, node) >= 1; }
+    Reach& visit(const TerrainTree& tree, int level, glm::ivec2 node);
+    void descend(const TerrainTree& tree, int level, glm::ivec2 node);
+    void lift(const TerrainTree& tree, int level, glm::ivec2 node, float least);
+    ChosenNode finished(const TerrainTree& tree, const GroundNode& node, glm::ivec2 place) const;
+
+    Eye m_eye;
+    std::uint32_t m_turn = 0;
+    std::vector<std::vector<Reach>> m_reaches;      // of each level's nodes
+    std::vector<std::vector<glm::ivec2>> m_visited; // those of this turn
+};
+
+} // namespace renderer
