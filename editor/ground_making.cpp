@@ -48,7 +48,7 @@ public:
         m_coast = all[std::size_t(float(all.size() - 1) * (1 - m_recipe.land))];
         if (m_recipe.land >= 1) m_coast -= 0.5f * spread; // finer octaves make no pond where all rivers would end
         m_top = std::max(all.back() - m_coast, 0.15f * spread);
-        m_deep = std::max(m_coast - all.front(), 0.15f * spread);
+        m_deep = std::max(m_coast - all.front(), 0.4f * spread);
     }
 
     float at(const io::HeightGrid& level, int x, int z) const
@@ -97,12 +97,12 @@ public:
         m_extent = longer;
         const int cells = std::max(m_recipe.width, m_recipe.depth) - 1;
         int levels = 1;
-        while (kFirstCells << levels < cells)
+        while (kFirstCells << (levels - 1) < cells)
             ++levels;
         m_shape.findCoast(blank(longer / kFirstCells, extent, 0)); // the same whatever the texels
         for (int i = 0; i < levels; ++i) {
             const bool last = i + 1 == levels;
-            m_done = std::pow(0.25f, float(levels - i)) * 1.0f;
+            m_done = std::pow(0.25f, float(levels - i));
             m_share = std::pow(0.25f, float(levels - i - 1)) - m_done;
             io::HeightGrid level = blank(last ? m_recipe.metresPerTexel : longer / double(kFirstCells << i), extent, i >= int(std::size(kRiverSteps)) ? 0 : kMargin);
             if (!refine(level, i)) return io::Error{{}, "making the ground was cancelled"};
@@ -139,7 +139,7 @@ private:
         }
         if (number > 0) {
             level = io::resampled(m_ground, level.size, level.metresPerTexel, level.origin);
-            roughen(level, number);
+            if (!roughen(level, number)) return false;
         }
         for (std::size_t i = 0; i < m_rise.size(); ++i) // above the sea, whose bottom comes at the end
             level.metres[i] = sea[i] ? 0 : number == 0 ? m_rise[i] * range() : std::max(0.0f, level.metres[i]);
@@ -150,13 +150,14 @@ private:
 
     // What the level before could not hold: bends of valleys, which there ran along the texels, and one more octave, stronger where
     // it is steep, as plains are smooth.
-    void roughen(io::HeightGrid& level, int number) const
+    bool roughen(io::HeightGrid& level, int number) const
     {
         const io::HeightGrid before = level;
         const auto wave = float(4 * level.metresPerTexel);
         const std::uint32_t seed = io::hash(std::uint32_t(m_recipe.seed)) + Detail + std::uint32_t(number) * 7u;
         const float strength = 0.16f * (m_recipe.roughness / 0.5f) * (m_recipe.roughness / 0.5f);
-        for (int z = 0; z < level.size.y; ++z)
+        for (int z = 0; z < level.size.y; ++z) {
+            if (!say(0.4f)) return false;
             for (int x = 0; x < level.size.x; ++x) {
                 const glm::vec2 place = Shape::placeOf(level, x, z) / wave, bend = place * 0.6f;
                 const glm::vec2 moved = kBend * glm::vec2{io::simplex(bend, seed + 1), io::simplex(bend, seed + 2)};
@@ -164,6 +165,8 @@ private:
                 const float slope = std::sqrt(dx * dx + dz * dz) / float(2 * level.metresPerTexel);
                 level.at(x, z) = between(before, glm::vec2{x, z} + moved) + strength * wave * std::min(slope, 1.0f) * io::simplex(place, seed);
             }
+        }
+        return true;
     }
 
     static float between(const io::HeightGrid& level, const glm::vec2& texel) // bilinear

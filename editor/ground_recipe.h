@@ -14,7 +14,7 @@ struct GroundRecipe {
     int seed = 1;
     int width = 1025, depth = 1025; // texels along x and z
     double metresPerTexel = 4;
-    float lowest = 0, highest = 900; // m, that the made ground reaches
+    float lowest = 0, highest = 700; // m, that the made ground reaches
     float land = 0.75f;         // share of it that is not lowland, 0..1
     float continents = 3600;    // m, size of the largest forms
     float roughness = 0.5f;     // amplitude of each octave against the one before, 0.3..0.7

@@ -104,6 +104,17 @@ void Viewport::resizeBrush(float factor)
     brush.radius = std::clamp(brush.radius * factor, 0.5f, 500.0f);
 }
 
+void Viewport::stayAbove(const Document& document)
+{
+    constexpr double kAbove = 2; // m
+    io::Camera moved = camera.camera();
+    const auto& map = document.scene().heights();
+    const auto ground = map ? map->height(moved.eye.x, moved.eye.z) : std::nullopt;
+    if (!ground || moved.eye.y >= *ground + kAbove) return;
+    moved.eye.y = *ground + kAbove;
+    camera.setCamera(moved);
+}
+
 void Viewport::readStamp(const Document& document)
 {
     brush.stamp = nullptr;

@@ -131,6 +131,10 @@ void TerrainPanel::measures(Editor& editor)
         fields(ui, shown);
         if (const io::HeightMap* map = editor.document()->scene().heights().get())
             ui::softText(trf("ground.facts", map->size.x, map->size.y, map->min, map->max));
+        const float half = (ImGui::GetContentRegionAvail().x - 4) / 2;
+        if (ui::button("generate", tr("action.generate_ground"), ui::Emphasis::Normal, {half, 0})) editor.groundDialogs().showGenerate(editor);
+        ImGui::SameLine(0, 4);
+        if (editor.document()->scene().heights() && ui::button("reshape", tr("action.reshape_ground"), ui::Emphasis::Normal, {half, 0})) editor.groundDialogs().showReshape(editor);
     }
     if (ui.changes().empty()) return;
     editor.beginEdit(ui.changedKey(), trf("undo.edit", ui.changedLabel()));
