@@ -34,7 +34,7 @@ std::vector<std::uint32_t> shadedRelief(const io::HeightGrid& heights, float low
             const glm::vec3 normal = glm::normalize(glm::vec3{(heights.clampedAt(x - 1, z) - heights.clampedAt(x + 1, z)) / step, 1,
                                                               (heights.clampedAt(x, z - 1) - heights.clampedAt(x, z + 1)) / step});
             const float share = high > low ? (heights.at(x, z) - low) / (high - low) : 0;
-            const float light = 0.35f + 0.95f * std::max(0.0f, glm::dot(normal, toLight));
+            const float light = 0.45f + 0.8f * std::max(0.0f, glm::dot(normal, toLight));
             const glm::vec3 colour = glm::mix(tintOf(share), kRock, glm::smoothstep(0.88f, 0.74f, normal.y)) * light;
             const auto byte = [](float v) { return std::uint32_t(std::clamp(v, 0.0f, 1.0f) * 255 + 0.5f); };
             colours.push_back(byte(colour.r) | byte(colour.g) << 8 | byte(colour.b) << 16 | 0xff000000u);

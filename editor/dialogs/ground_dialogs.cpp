@@ -44,8 +44,8 @@ void GroundDialogs::showGenerate(Editor& editor)
     m_recipe.metresPerTexel = heights->metresPerTexel;
     const GroundRecipe usual;
     const auto share = float(extent / (usual.width * usual.metresPerTexel));
-    m_recipe.continents = usual.continents * share;
-    m_recipe.ridgeScale = usual.ridgeScale * share;
+    m_recipe.continents = std::max(1.0f, std::round(usual.continents * share));
+    m_recipe.ridgeScale = std::max(1.0f, std::round(usual.ridgeScale * share));
     m_recipe.lowest = 0;
     m_recipe.highest = std::max(1.0f, std::round(usual.highest * share / 10) * 10);
 }
@@ -66,6 +66,7 @@ void GroundDialogs::showReshape(Editor& editor)
 void GroundDialogs::draw(Editor& editor)
 {
     takePreview();
+    if (!m_making) m_work.finished(); // what was cancelled has come to its end
     if (m_which == Which::None) return;
     if (!editor.document()) return close();
     const MapPanel map{"dialog"};

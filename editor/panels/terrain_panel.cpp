@@ -68,6 +68,7 @@ void TerrainPanel::draw(Editor& editor)
 {
     if (!editor.document()) return;
     refreshFiles(editor);
+    wholeGround(editor);
     sculpting(editor);
     measures(editor);
     layers(editor);
@@ -87,6 +88,15 @@ const std::vector<std::string>& TerrainPanel::filesFor(std::string_view key) con
     static const std::vector<std::string> none;
     if (key == "terrain.height_map") return m_heightMaps;
     return key.ends_with("texture") ? m_textures : none;
+}
+
+void TerrainPanel::wholeGround(Editor& editor)
+{
+    const float half = (ImGui::GetContentRegionAvail().x - 4) / 2;
+    if (ui::button("generate", tr("action.generate_ground"), ui::Emphasis::Normal, {half, 0})) editor.groundDialogs().showGenerate(editor);
+    if (!editor.document()->scene().heights()) return;
+    ImGui::SameLine(0, 4);
+    if (ui::button("reshape", tr("action.reshape_ground"), ui::Emphasis::Normal, {half, 0})) editor.groundDialogs().showReshape(editor);
 }
 
 // A tool takes the brush in hand; pressed again it is put down.
@@ -131,10 +141,6 @@ void TerrainPanel::measures(Editor& editor)
         fields(ui, shown);
         if (const io::HeightMap* map = editor.document()->scene().heights().get())
             ui::softText(trf("ground.facts", map->size.x, map->size.y, map->min, map->max));
-        const float half = (ImGui::GetContentRegionAvail().x - 4) / 2;
-        if (ui::button("generate", tr("action.generate_ground"), ui::Emphasis::Normal, {half, 0})) editor.groundDialogs().showGenerate(editor);
-        ImGui::SameLine(0, 4);
-        if (editor.document()->scene().heights() && ui::button("reshape", tr("action.reshape_ground"), ui::Emphasis::Normal, {half, 0})) editor.groundDialogs().showReshape(editor);
     }
     if (ui.changes().empty()) return;
     editor.beginEdit(ui.changedKey(), trf("undo.edit", ui.changedLabel()));

@@ -46,6 +46,10 @@ struct GroundEdits : ::testing::Test {
     const io::Scene& scene = document->scene();
     void SetUp() override
     {
+        io::Terrain terrain = scene.terrain(); // which lies where its heights do
+        terrain.metresPerTexel = scene.heights()->metresPerTexel;
+        terrain.origin = scene.heights()->origin;
+        setTerrain(*document, "Place", std::move(terrain));
         const glm::ivec2 size = scene.heights()->size;
         const std::vector<std::uint32_t> paint(20 * 30, io::packed({.base = 1, .over = 1, .painted = 1}));
         changeCover(*document, "Paint", {.at = size / 2, .size = {20, 30}, .texels = paint});
