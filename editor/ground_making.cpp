@@ -16,19 +16,22 @@ namespace {
 constexpr int kFirstCells = 64;    // of the coarsest level, along the longer side; each next one has twice as many
 constexpr int kMargin = 16;        // cells around a level, so that no edge of the map is one where all water leaves
 constexpr int kMostErosion = 1400; // cells; beyond, ground gets finer without new rivers
-constexpr int kRiverSteps[] = {40, 24, 14, 6, 3}; // of each level
-constexpr float kCutting = 0.4f;    // K dt of one step
-constexpr float kUplift = 0.2f;
+constexpr int kRiverSteps[] = {40, 24, 14, 6, 3}; // of each level, with half of all erosion
+constexpr float kCutting = 0.4f;   // K dt of one step
+constexpr float kUplift = 0.2f;    // of one step, share of the heights times kCutting: more of it makes steeper land
+constexpr float kHillside = 0.04f; // length of a hillside without a brook, share of the map
 constexpr float kBend = 1.5f;      // texels, by which valleys bend between two levels
 constexpr float kRock = 0.08f;     // size of harder and softer rock, share of the map
 constexpr float kLowland = 0.06f;  // share of the heights that lies below the land
 
 enum Salt : std::uint32_t { Continents = 11, Ridges = 23, WarpX = 37, WarpZ = 41, Detail = 53, Rock = 59, Ways = 67 };
 
+constexpr int kMostOctaves = 10;
+
 // Octaves of noise down to a wavelength of two texels.
 int octavesTo(float metresPerTexel, float scale)
 {
-    return std::clamp(int(std::floor(std::log2(scale / (2 * metresPerTexel)))) + 1, 1, 10);
+    return std::clamp(int(std::floor(std::log2(scale / (2 * metresPerTexel)))) + 1, 1, kMostOctaves);
 }
 
 // The rough shape: 0 at the sea's bottom, 1 at the highest crests.
@@ -76,8 +79,9 @@ private:
     }
     float continent(const glm::vec2& place, const io::HeightGrid& level) const
     {
-        return io::simplexFbm(place / m_recipe.continents, m_seed + Continents,
-                              {.count = octavesTo(float(level.metresPerTexel), m_recipe.continents), .gain = m_recipe.roughness});
+        const int octaves = octavesTo(float(level.metresPerTexel), m_recipe.continents);
+        const float gain = m_recipe.roughness, share = (1 - std::pow(gain, float(octaves))) / (1 - std::pow(gain, float(kMostOctaves)));
+        return share * io::simplexFbm(place / m_recipe.continents, m_seed + Continents, {.count = octaves, .gain = gain}); // fewer octaves, the same coast
     }
 
     const GroundRecipe& m_recipe;
@@ -104,7 +108,8 @@ public:
             const bool last = i + 1 == levels;
             m_done = std::pow(0.25f, float(levels - i));
             m_share = std::pow(0.25f, float(levels - i - 1)) - m_done;
-            io::HeightGrid level = blank(last ? m_recipe.metresPerTexel : longer / double(kFirstCells << i), extent, i >= int(std::size(kRiverSteps)) ? 0 : kMargin);
+            const double metres = last ? m_recipe.metresPerTexel : longer / double(kFirstCells << i);
+            io::HeightGrid level = blank(metres, extent, longer / metres + 2 * kMargin < kMostErosion ? kMargin : 0);
             if (!refine(level, i)) return io::Error{{}, "making the ground was cancelled"};
         }
         return finished(extent);
@@ -184,7 +189,7 @@ private:
         std::vector<float> uplift = m_rise;
         for (float& rise : uplift)
             rise = kUplift * kCutting * range() * std::max(0.0f, rise);
-        const auto hillside = float(m_extent / 25);
+        const auto hillside = float(kHillside * m_extent);
         for (int step = 0; step < steps; ++step) {
             if (!say(0.4f + 0.6f * float(step) / float(steps))) return false;
             rivers.step({.cutting = kCutting, .hillside = hillside * hillside, .talus = m_recipe.talus, .seed = io::hash(std::uint32_t(m_recipe.seed)) + Ways}, uplift, softness, sea);

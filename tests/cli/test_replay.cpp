@@ -117,12 +117,9 @@ TEST_F(Replay, strokesShapeTheGroundAndUndoGivesItBack)
     EXPECT_EQ(ground(), heights);
     EXPECT_EQ(scene(), before);
     EXPECT_FALSE(std::filesystem::exists(project + "/terrain/ground_cover.png"));
-    ran = play(strokes + undo + undo + undo + save); // the first stroke stays
-    ASSERT_EQ(ran.code, 0) << ran.err;
-    EXPECT_NE(ground(), heights);
-    EXPECT_FALSE(std::filesystem::exists(project + "/terrain/ground_cover.png"));
     ran = play(strokes + save);
     ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(ground(), heights);
     EXPECT_TRUE(std::filesystem::exists(project + "/terrain/ground_cover.png")); // the hole
 }
 
