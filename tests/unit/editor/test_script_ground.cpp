@@ -72,6 +72,24 @@ TEST_F(GroundScript, ReshapesAndUndoes)
     }
 }
 
+TEST_F(GroundScript, TheGroundOfAnotherSceneStays)
+{
+    const std::filesystem::path project = document->project().folder;
+    io::Complaints complaints;
+    io::World world = *io::openWorld(project, {}, complaints);
+    std::filesystem::copy_file(project / world.entry.file, project / "scenes/two.scene.json");
+    world.project.scenes.push_back({"two", "scenes/two.scene.json"});
+    ASSERT_TRUE(io::saveWorld(world));
+    document = *Document::open(project);
+    script = std::make_unique<Script>(*document, selection, picker, view);
+    const std::string before = test::textOf(project / "terrain/ground.png");
+    ASSERT_TRUE(ok(R"({"do":"resample","width":33})"));
+    ASSERT_TRUE(ok(R"({"do":"save"})"));
+    EXPECT_EQ(test::textOf(project / "terrain/ground.png"), before);
+    EXPECT_EQ((*Document::open(project, "two"))->scene().heights()->size, glm::ivec2(65, 65));
+    EXPECT_EQ((*Document::open(project, "main"))->scene().heights()->size, glm::ivec2(33, 33));
+}
+
 TEST_F(GroundScript, StampsByPicture)
 {
     io::Image arrow{.size = {16, 16}, .channels = 1, .type = io::PixelType::U8};
