@@ -10,7 +10,8 @@ struct Tint {
     float share; // of the heights
     glm::vec3 colour;
 };
-constexpr Tint kTints[] = {{0, {0.36f, 0.47f, 0.32f}}, {0.2f, {0.50f, 0.58f, 0.36f}}, {0.45f, {0.66f, 0.60f, 0.42f}}, {0.7f, {0.60f, 0.53f, 0.46f}}, {0.88f, {0.75f, 0.73f, 0.71f}}, {1, {0.97f, 0.97f, 0.98f}}};
+constexpr Tint kTints[] = {{0, {0.36f, 0.47f, 0.32f}}, {0.2f, {0.50f, 0.58f, 0.36f}}, {0.45f, {0.66f, 0.60f, 0.42f}},
+                           {0.7f, {0.60f, 0.53f, 0.46f}}, {0.88f, {0.75f, 0.73f, 0.71f}}, {1, {0.97f, 0.97f, 0.98f}}};
 constexpr glm::vec3 kRock{0.52f, 0.49f, 0.46f};
 
 glm::vec3 tintOf(float share)
