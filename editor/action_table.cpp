@@ -298,6 +298,10 @@ void toolActions(Actions& a, Editor& e)
     };
     resize("brush_smaller", Key::LeftBracket, 1 / 1.15f);
     resize("brush_larger", Key::RightBracket, 1.15f);
+    a.add({.id = "generate_ground", .run = [&e] { e.groundDialogs().showGenerate(e); }, .enabled = open});
+    a.add({.id = "reshape_ground",
+           .run = [&e] { e.groundDialogs().showReshape(e); },
+           .enabled = [&e] { return e.document() && e.document()->scene().heights(); }});
     a.add({.id = "space",
            .icon = Icon::Local,
            .keys = {.key = Key::X},

@@ -3,6 +3,7 @@
 #include "io/base/contract.h"
 #include "io/base/noise.h"
 #include "io/base/random.h"
+#include "io/scene/rain.h"
 #include "io/scene/settling.h"
 
 #include <algorithm>
@@ -110,95 +111,19 @@ float noiseAt(const Brush& brush, const glm::dvec2& place)
     }
 }
 
-// Drops that begin under the brush, run downhill and carry soil along (Beyer 2015, "Implementation of a method for hydraulic
-// erosion"). Heights count in texels, so that the same slopes wear alike at every scale.
-class Rain {
-public:
-    Rain(io::HeightGrid& heights, std::uint64_t seed) : m_heights{heights}, m_random{seed}, m_unit{float(heights.metresPerTexel)} {}
-
-    void drop(glm::vec2 at)
-    {
-        glm::vec2 heading{0};
-        float speed = 1, water = 1, soil = 0;
-        for (int step = 0; step < kSteps; ++step) {
-            const glm::vec3 here = at3(at);
-            heading = heading * kInertia - glm::vec2{here.y, here.z} * (1 - kInertia);
-            const float length = glm::length(heading);
-            if (length < 1e-6f) break;
-            const glm::vec2 next = at + heading / length;
-            heading /= length;
-            if (!inside(next)) break;
-            const float fall = at3(next).x - here.x;
-            const float capacity = std::max(-fall, 0.01f) * speed * water * kCapacity;
-            if (soil > capacity || fall > 0) {
-                const float left = fall > 0 ? std::min(fall, soil) : (soil - capacity) * kLeave;
-                soil -= left;
-                change(at, left);
-            } else {
-                const float taken = std::min((capacity - soil) * kTake, -fall);
-                take(at, taken);
-                soil += taken;
-            }
-            speed = std::sqrt(std::max(0.0f, speed * speed - fall * kGravity));
-            water *= 1 - kDrying;
-            at = next;
-        }
-        change(at, soil); // nothing is lost
-    }
-    glm::vec2 near(glm::vec2 centre, float radius)
-    {
-        const float angle = m_random.range(0, glm::two_pi<float>()), away = std::sqrt(m_random.unit()) * radius;
-        return centre + away * glm::vec2{std::cos(angle), std::sin(angle)};
-    }
-    bool inside(glm::vec2 p) const
-    {
-        return p.x >= 2 && p.y >= 2 && p.x <= float(m_heights.size.x - 4) && p.y <= float(m_heights.size.y - 4);
-    }
-
-private:
-    static constexpr int kSteps = 32;
-    static constexpr float kInertia = 0.1f, kCapacity = 4, kTake = 0.3f, kLeave = 0.3f, kGravity = 4, kDrying = 0.02f;
-
-    glm::vec3 at3(glm::vec2 p) const // height and its slopes, texels
-    {
-        const int x = int(p.x), z = int(p.y);
-        const float u = p.x - float(x), v = p.y - float(z);
-        const float h00 = m_heights.at(x, z), h10 = m_heights.at(x + 1, z), h01 = m_heights.at(x, z + 1), h11 = m_heights.at(x + 1, z + 1);
-        return glm::vec3{glm::mix(glm::mix(h00, h10, u), glm::mix(h01, h11, u), v), glm::mix(h10 - h00, h11 - h01, v),
-                         glm::mix(h01 - h00, h11 - h10, u)} /
-               m_unit;
-    }
-    void change(glm::vec2 p, float texels)
-    {
-        const int x = int(p.x), z = int(p.y);
-        const float u = p.x - float(x), v = p.y - float(z), metres = texels * m_unit;
-        m_heights.at(x, z) += metres * (1 - u) * (1 - v);
-        m_heights.at(x + 1, z) += metres * u * (1 - v);
-        m_heights.at(x, z + 1) += metres * (1 - u) * v;
-        m_heights.at(x + 1, z + 1) += metres * u * v;
-    }
-    void take(glm::vec2 p, float texels) // over a few texels, or drops dig pits
-    {
-        constexpr float kWeights[] = {0.05f, 0.12f, 0.05f, 0.12f, 0.32f, 0.12f, 0.05f, 0.12f, 0.05f};
-        const int x = int(p.x), z = int(p.y);
-        for (int i = 0; i < 9; ++i)
-            m_heights.at(x + i % 3 - 1, z + i / 3 - 1) -= texels * m_unit * kWeights[i];
-    }
-
-    io::HeightGrid& m_heights;
-    io::Random m_random;
-    float m_unit; // m per texel
-};
-
+// Rain under the brush, with heights in texels.
 io::HeightGrid eroded(io::HeightGrid heights, const Brush& brush, const Dab& dab)
 {
     const auto texel = float(heights.metresPerTexel);
     const glm::vec2 centre{(dab.centre - heights.origin) / heights.metresPerTexel};
     const float reach = brush.radius / texel;
-    Rain rain{heights, io::hash(int(dab.number), brush.seed, 77u)};
-    const int drops = std::clamp(int(reach * reach * 0.2f), 8, 40'000);
-    for (int i = 0; i < drops; ++i)
-        if (const glm::vec2 at = rain.near(centre, reach); rain.inside(at)) rain.drop(at);
+    io::Rainfall rain{heights, {.steps = 32, .reach = 2, .unit = texel, .inertia = 0.1f, .capacity = 4.8f, .gravity = 4, .lasting = 0.98f, .seesItself = false, .leavesAll = true}};
+    io::Random random{io::hash(int(dab.number), brush.seed, 77u)};
+    const int drops = std::clamp(int(reach * reach * 0.17f), 8, 34'000);
+    for (int i = 0; i < drops; ++i) {
+        const float angle = random.range(0, glm::two_pi<float>()), away = std::sqrt(random.unit()) * reach;
+        if (const glm::vec2 at = centre + away * glm::vec2{std::cos(angle), std::sin(angle)}; rain.inside(at)) rain.drop(at);
+    }
     return heights;
 }
 

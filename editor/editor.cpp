@@ -1,5 +1,6 @@
 #include "editor/editor.h"
 
+#include "editor/brush_settings.h"
 #include "editor/menus.h"
 #include "editor/numbers_text.h"
 #include "editor/panels/console_panel.h"
@@ -78,6 +79,9 @@ void Editor::restoreSettings()
     if (const io::Value* layout = m_savedSettings.find("layout")) m_workspace.restore(*layout);
     const io::Value* animate = m_savedSettings.find("animate");
     if (const bool* on = animate ? animate->asBool() : nullptr) m_animates = *on;
+    if (const io::Value* brush = m_savedSettings.find("brush")) restoreBrush(m_viewport.brush, *brush);
+    const io::Value* follow = m_savedSettings.find("objects_follow");
+    if (const bool* on = follow ? follow->asBool() : nullptr) m_viewport.objectsFollow = *on;
 }
 
 void Editor::saveLayout()
@@ -85,6 +89,8 @@ void Editor::saveLayout()
     io::Value settings = m_savedSettings;
     settings["layout"] = toValue(m_workspace.layout());
     if (m_animates) settings["animate"] = *m_animates;
+    settings["brush"] = brushSettings(m_viewport.brush);
+    settings["objects_follow"] = m_viewport.objectsFollow;
     if (settings == m_savedSettings) return;
     m_savedSettings = settings;
     m_host.saveSettings(settings);
@@ -123,6 +129,9 @@ void Editor::adopt(std::unique_ptr<Document> document)
     m_selection = {};
     wake();
     m_viewport.lookFrom(*m_document);
+    m_viewport.brush.layer = m_viewport.brush.replaced = 0; // those were another world's
+    if (std::error_code none; std::filesystem::exists(m_document->project().folder / m_viewport.brush.stampFile, none)) m_viewport.readStamp(*m_document);
+    else m_viewport.brush.stamp = nullptr;
     chosenTemplate = io::TemplateId::None;
     inspectTemplate = false;
     int errors = 0;
@@ -241,6 +250,7 @@ void Editor::frame(double seconds)
     closeMenusByEscape();
     drawWindow();
     m_dialogs.draw(*this);
+    m_groundDialogs.draw(*this);
     m_loading.draw();
     if (auto opened = m_loading.finished()) adoptOpened(std::move(*opened));
     m_toasts.draw();
@@ -252,7 +262,7 @@ void Editor::frame(double seconds)
 // ImGui does this by itself only with its keyboard navigation, whose keys are ours.
 void Editor::closeMenusByEscape()
 {
-    if (!pressed(Key::Escape) || m_dialogs.any() || ImGui::GetIO().WantTextInput) return;
+    if (!pressed(Key::Escape) || m_dialogs.any() || m_groundDialogs.any() || ImGui::GetIO().WantTextInput) return;
     if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, true);
 }
 
@@ -296,7 +306,7 @@ double Editor::nextFrameIn() const
     if (m_quiet < kQuietAfter) return 0;
     double next = m_toasts.nextChange();
     if (drifts()) next = std::min({next, 1 / m_host.frameRate(), kRest});
-    if (m_loading.busy()) next = std::min(next, kProgress);
+    if (m_loading.busy() || m_groundDialogs.working()) next = std::min(next, kProgress);
     if (ImGui::GetIO().WantTextInput) next = std::min(next, kBlink);
     return next;
 }

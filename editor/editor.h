@@ -5,6 +5,7 @@
 
 #include "editor/actions.h"
 #include "editor/dialogs/dialogs.h"
+#include "editor/dialogs/ground_dialogs.h"
 #include "editor/document.h"
 #include "editor/host.h"
 #include "editor/loading.h"
@@ -65,6 +66,7 @@ public:
     Workspace& workspace() { return m_workspace; }
     Actions& actions() { return m_actions; }
     Dialogs& dialogs() { return m_dialogs; }
+    GroundDialogs& groundDialogs() { return m_groundDialogs; }
     Toasts& toasts() { return m_toasts; }
     Host& host() { return m_host; }
     renderer::Renderer* renderer() { return m_renderer; }
@@ -114,6 +116,7 @@ private:
     std::vector<std::unique_ptr<Panel>> m_panels;
     Actions m_actions;
     Dialogs m_dialogs;
+    GroundDialogs m_groundDialogs;
     Toasts m_toasts;
     Loading m_loading;
     io::Value m_savedSettings;

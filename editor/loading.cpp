@@ -89,13 +89,8 @@ void Loading::draw()
         const std::lock_guard lock{m_mutex};
         ui::softText(m_step.empty() ? tr("loading.begins") : ui::fitted(m_step, kWidth - 40).c_str());
     }
-    const float fraction = std::clamp(m_fraction.load(), 0.f, 1.f);
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.AddRectFilled({at.x, at.y + 4}, {at.x + kWidth - 40, at.y + 10}, palette::kField, 3);
-    if (fraction > 0.01f)
-        draw.AddRectFilled({at.x, at.y + 4}, {at.x + (kWidth - 40) * fraction, at.y + 10}, palette::kAccent, 3);
-    ImGui::Dummy({0, 20});
+    ui::progressBar(m_fraction, kWidth - 40);
+    ImGui::Dummy({0, 4});
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 120);
     if (ui::button("cancel", tr("dialog.cancel"), ui::Emphasis::Normal, {120, 0}) || pressed(Key::Escape)) cancel();
     if (!running()) ImGui::CloseCurrentPopup();

@@ -1,6 +1,7 @@
 #include "editor/script_commands.h"
 
 #include "editor/painting.h"
+#include "editor/stamp_file.h"
 #include "editor/stroke.h"
 
 #include <algorithm>
@@ -32,7 +33,6 @@ Answer sculpt(Script& script, Arguments& arguments)
     if (!at) arguments.fail("needs \"at\"");
     if (brush.tool == BrushTool::Ramp && !to) arguments.fail("a ramp needs \"to\"");
     if (paints(brush.tool)) arguments.fail("layers are painted by \"do\":\"paint\"");
-    if (brush.tool == BrushTool::Stamp) arguments.fail("a stamp needs a picture; use it in the window");
     brush.radius = float(arguments.number("radius", double(brush.radius), 0.01, 1e5));
     const double strength = arguments.number("strength", 1, -1e5, 1e5);
     brush.falloff = float(arguments.number("falloff", 1, 0, 1));
@@ -44,8 +44,19 @@ Answer sculpt(Script& script, Arguments& arguments)
     brush.seed = int(arguments.number("seed", 1, 0, 1e9));
     brush.levelGiven = arguments.has("level");
     brush.level = float(arguments.number("level", 0, -1e5, 1e5));
+    brush.slope = glm::vec2{arguments.pair("slope").value_or(glm::dvec2{brush.slope})};
+    brush.altitude = glm::vec2{arguments.pair("altitude").value_or(glm::dvec2{brush.altitude})};
+    if (brush.tool == BrushTool::Stamp) {
+        brush.stampFile = arguments.text("stamp");
+        brush.rotation = float(arguments.number("rotation", 0, -360, 360));
+    }
     if (!script.document().scene().heights()) arguments.fail("this scene has no ground");
     if (const auto fault = arguments.finish()) return *fault;
+    if (brush.tool == BrushTool::Stamp) {
+        auto stamp = readStamp(script.document().project().folder, brush.stampFile);
+        if (!stamp) return stamp.error();
+        brush.stamp = *std::move(stamp);
+    }
     const std::optional<HeightPatch> patch = patchOf(*script.document().scene().heights(), brush, *at, to.value_or(*at), float(strength));
     if (!patch) return io::Error{{}, "there is no ground there"};
     Stroke stroke{script.document(), brush, {}, "Sculpt"};

@@ -49,6 +49,8 @@ public:
     void placeAtCamera(Editor& editor, io::TemplateId id);
     void sculptWith(Editor& editor, BrushTool tool);
     void resizeBrush(float factor);
+    void stayAbove(const Document& document); // the ground, where it rose over the camera
+    void readStamp(const Document& document); // that the brush names, of this project; what cannot be read is said in the console
     std::optional<glm::dvec3> pointUnderPointer(Editor& editor) const; // of the last frame; where a paste goes
 
     bool pointerHidden() const { return m_drag == Drag::Look; }

@@ -1,7 +1,9 @@
 // The brush in the viewport: strokes over the ground, and the ring that shows where they fall.
 #include "editor/editor.h"
+#include "editor/stamp_file.h"
 #include "editor/text.h"
 #include "editor/viewport.h"
+#include "io/base/log.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -100,6 +102,26 @@ void Viewport::addBrushLines(const Editor& editor, std::vector<renderer::Line>& 
 void Viewport::resizeBrush(float factor)
 {
     brush.radius = std::clamp(brush.radius * factor, 0.5f, 500.0f);
+}
+
+void Viewport::stayAbove(const Document& document)
+{
+    constexpr double kAbove = 2; // m
+    io::Camera moved = camera.camera();
+    const auto& map = document.scene().heights();
+    const auto ground = map ? map->height(moved.eye.x, moved.eye.z) : std::nullopt;
+    if (!ground || moved.eye.y >= *ground + kAbove) return;
+    moved.eye.y = *ground + kAbove;
+    camera.setCamera(moved);
+}
+
+void Viewport::readStamp(const Document& document)
+{
+    brush.stamp = nullptr;
+    if (brush.stampFile.empty()) return;
+    auto stamp = editor::readStamp(document.project().folder, brush.stampFile);
+    if (stamp) brush.stamp = *std::move(stamp);
+    else io::log::error("{}", stamp.error().text());
 }
 
 void Viewport::sculptWith(Editor& editor, BrushTool tool)

@@ -257,6 +257,16 @@ void heading(const char* text)
     ImGui::PopFont();
 }
 
+void progressBar(float fraction, float width)
+{
+    const float share = std::clamp(fraction, 0.f, 1.f);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.AddRectFilled({at.x, at.y + 4}, {at.x + width, at.y + 10}, palette::kField, 3);
+    if (share > 0.01f) draw.AddRectFilled({at.x, at.y + 4}, {at.x + width * share, at.y + 10}, palette::kAccent, 3);
+    ImGui::Dummy({width, 16});
+}
+
 void softText(std::string_view text)
 {
     ImGui::PushStyleColor(ImGuiCol_Text, palette::kSoftText);

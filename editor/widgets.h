@@ -68,6 +68,7 @@ void propertyLabel(std::string_view label, std::string_view unit = {}, bool stro
 
 void tooltip(const char* text); // of the item just drawn
 void heading(const char* text);
+void progressBar(float fraction, float width);
 void softText(std::string_view text);
 void emptyState(Icon icon, const char* title, const char* text); // in the middle of a panel that has nothing to show
 void iconText(Icon icon, ImU32 colour, std::string_view text);

@@ -3,10 +3,10 @@
 #include "editor/editor.h"
 #include "editor/field_ui.h"
 #include "editor/painting.h"
+#include "editor/stamp_file.h"
 #include "editor/text.h"
 #include "editor/widgets.h"
 #include "io/base/log.h"
-#include "io/files/image_file.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -28,25 +28,6 @@ std::vector<std::string> filesIn(const fs::path& project, const char* folder)
             files.push_back(std::string{folder} + "/" + entry.path().filename().string());
     std::ranges::sort(files);
     return files;
-}
-
-// The first channel of a picture, 0..1; null, with a word in the console, when it cannot be read.
-std::shared_ptr<const io::HeightGrid> readStamp(const fs::path& file)
-{
-    const io::Result<io::Image> image = io::readImage(file);
-    if (!image) {
-        io::log::error("{}", image.error().text());
-        return nullptr;
-    }
-    auto stamp = std::make_shared<io::HeightGrid>(io::HeightGrid{.size = image->size});
-    for (int z = 0; z < image->size.y; ++z)
-        for (int x = 0; x < image->size.x; ++x) {
-            const std::size_t i = std::size_t(x) * std::size_t(image->channels);
-            stamp->metres.push_back(image->type == io::PixelType::U8    ? float(image->row<std::uint8_t>(z)[i]) / 255
-                                    : image->type == io::PixelType::U16 ? float(image->row<std::uint16_t>(z)[i]) / 65535
-                                                                        : std::clamp(image->row<float>(z)[i], 0.0f, 1.0f));
-        }
-    return stamp;
 }
 
 // change(layers, numbers): which one each was; what was painted goes with them.
@@ -87,6 +68,7 @@ void TerrainPanel::draw(Editor& editor)
 {
     if (!editor.document()) return;
     refreshFiles(editor);
+    wholeGround(editor);
     sculpting(editor);
     measures(editor);
     layers(editor);
@@ -106,6 +88,15 @@ const std::vector<std::string>& TerrainPanel::filesFor(std::string_view key) con
     static const std::vector<std::string> none;
     if (key == "terrain.height_map") return m_heightMaps;
     return key.ends_with("texture") ? m_textures : none;
+}
+
+void TerrainPanel::wholeGround(Editor& editor)
+{
+    const float half = (ImGui::GetContentRegionAvail().x - 4) / 2;
+    if (ui::button("generate", tr("action.generate_ground"), ui::Emphasis::Normal, {half, 0})) editor.groundDialogs().showGenerate(editor);
+    if (!editor.document()->scene().heights()) return;
+    ImGui::SameLine(0, 4);
+    if (ui::button("reshape", tr("action.reshape_ground"), ui::Emphasis::Normal, {half, 0})) editor.groundDialogs().showReshape(editor);
 }
 
 // A tool takes the brush in hand; pressed again it is put down.
@@ -131,7 +122,7 @@ void TerrainPanel::sculpting(Editor& editor)
                 .defaults = scalarsOf(Brush{.tool = viewport.brush.tool, .levelGiven = viewport.brush.levelGiven}),
                 .files = [this](std::string_view key) { return key == "brush.stamp" ? m_textures : std::vector<std::string>{}; }}};
     fields(ui, viewport.brush);
-    if (ui.changedKey() == "brush.stamp") viewport.brush.stamp = readStamp(editor.document()->project().folder / viewport.brush.stampFile);
+    if (ui.changedKey() == "brush.stamp") viewport.readStamp(*editor.document());
     if (layered || viewport.brush.tool == BrushTool::Erase) {
         if (ui::button("fill", tr("ground.fill")))
             editor.step("undo.fill", [&](Document& document) { fillCover(document, tr("undo.fill"), viewport.brush); });

@@ -16,6 +16,7 @@ public:
 
 private:
     void refreshFiles(Editor& editor);
+    void wholeGround(Editor& editor);
     void sculpting(Editor& editor);
     void measures(Editor& editor);
     void layers(Editor& editor);

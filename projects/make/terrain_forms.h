@@ -19,8 +19,7 @@ void change(io::HeightGrid& map, const std::function<float(glm::vec2, float)>& h
 // Twice the resolution over the same ground: side 2n - 1, cubic between the old texels.
 io::HeightGrid doubled(const io::HeightGrid& map);
 
-// Rain drops that run downhill, carry soil away where they are fast and leave it where they slow down
-// (Beyer 2015, "Implementation of a method for hydraulic erosion").
+// io::Rain all over the field.
 struct Rain {
     int drops = 100000;
     int steps = 40;     // a drop's life, texels

@@ -100,6 +100,29 @@ TEST_F(Replay, whatIsPlacedStandsWhereTheRayMeetsTheGround)
     }
 }
 
+// A whole spell of shaping: raised, smoothed with Shift, lowered with Ctrl, a hole cut. All undone, every file is as it was.
+TEST_F(Replay, strokesShapeTheGroundAndUndoGivesItBack)
+{
+    const auto stroke = [](double x, double z, double toX, double toZ, const char* mods) {
+        return "{\"drag\": {\"from\": " + inView(x, z) + ", \"to\": " + inView(toX, toZ) + ", \"steps\": 12, \"mods\": [" + mods + "]}}\n";
+    };
+    const std::string strokes = "{\"wait\": 2}\n{\"key\": \"B\"}\n{\"wait\": 2}\n" + stroke(-150, 60, 120, 90, "") + stroke(-100, 70, 60, 80, "\"shift\"") +
+                                stroke(40, 100, 160, 70, "\"ctrl\"") + "{\"click\": {\"panel\": \"terrain\", \"label\": \"Hole\", \"kind\": \"button\"}}\n" +
+                                stroke(-40, 90, 30, 95, "");
+    const std::string undo = "{\"key\": \"Ctrl+Z\"}\n{\"wait\": 1}\n", save = "{\"key\": \"Ctrl+S\"}\n{\"wait\": 3}\n";
+    const auto ground = [this] { return textOf(project + "/terrain/ground.png"); };
+    const std::string heights = ground(), before = scene();
+    Ran ran = play(strokes + undo + undo + undo + undo + save);
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(ground(), heights);
+    EXPECT_EQ(scene(), before);
+    EXPECT_FALSE(std::filesystem::exists(project + "/terrain/ground_cover.png"));
+    ran = play(strokes + save);
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(ground(), heights);
+    EXPECT_TRUE(std::filesystem::exists(project + "/terrain/ground_cover.png")); // the hole
+}
+
 TEST_F(Replay, changesNothingOnDiskWithoutASave)
 {
     const std::string before = scene();

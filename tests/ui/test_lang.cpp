@@ -112,6 +112,12 @@ Keys computedKeys()
         KeysOfFields visitor{"brush.", "", keys};
         fields(visitor, brush);
     }
+    addFields<editor::GroundRecipe>(keys, "recipe.");
+    for (const editor::Reshape kind : {editor::Reshape::Resample, editor::Reshape::Crop, editor::Reshape::Offset}) {
+        editor::Reshaping reshaping{.kind = kind};
+        KeysOfFields visitor{"reshape.", "", keys};
+        fields(visitor, reshaping);
+    }
     for (const std::string_view name : enumNames(renderer::Show::Final))
         keys.insert("show." + std::string{name});
     const test::Rig rig;

@@ -59,6 +59,25 @@ TEST(Window, TheLayoutIsRemembered)
     EXPECT_FALSE(rig.editor->workspace().shows("history"));
 }
 
+TEST(Window, TheBrushIsRemembered)
+{
+    io::Value saved;
+    {
+        Rig rig;
+        rig.editor->viewport().brush.radius = 55;
+        rig.editor->viewport().brush.tool = editor::BrushTool::Noise;
+        rig.editor->viewport().brush.stampFile = "textures/crater.png";
+        rig.editor->viewport().objectsFollow = false;
+        rig.editor->saveLayout();
+        saved = rig.host.saved;
+    }
+    Rig rig{crates(1), saved};
+    EXPECT_EQ(rig.editor->viewport().brush.radius, 55);
+    EXPECT_EQ(rig.editor->viewport().brush.tool, editor::BrushTool::Noise);
+    EXPECT_EQ(rig.editor->viewport().brush.stampFile, "textures/crater.png");
+    EXPECT_FALSE(rig.editor->viewport().objectsFollow);
+}
+
 TEST(Window, LanguageIsSwitchedWhileItRuns)
 {
     Rig rig;
@@ -94,6 +113,13 @@ TEST(Window, NothingShownLacksItsText)
             EXPECT_TRUE(dialogs.any());
             rig.key({.key = Key::Escape});
             EXPECT_FALSE(dialogs.any());
+        }
+        for (const char* action : {"generate_ground", "reshape_ground"}) {
+            rig.editor->actions().run(action);
+            rig.frame(3);
+            EXPECT_TRUE(rig.editor->groundDialogs().any());
+            rig.key({.key = Key::Escape});
+            EXPECT_FALSE(rig.editor->groundDialogs().any());
         }
         EXPECT_EQ(editor::missingTexts(), std::vector<std::string>{});
     }

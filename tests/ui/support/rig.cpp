@@ -75,7 +75,9 @@ std::unique_ptr<editor::Document> crates(int count)
     io::Assets assets;
     assets.models = {std::make_shared<io::Model>(io::boxModel({2, 2, 2}, {1, 1, 1, 1})),
                      std::make_shared<io::Model>(io::boxModel({1, 1, 1}, {1, 1, 1, 1}))};
-    world.scene.exchange(flatGround());
+    const auto ground = flatGround();
+    world.scene.exchange(io::Terrain{.metresPerTexel = ground->metresPerTexel, .origin = ground->origin});
+    world.scene.exchange(ground);
     return std::make_unique<editor::Document>(std::move(world), std::move(assets));
 }
 
