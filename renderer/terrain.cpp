@@ -31,60 +31,21 @@ struct DrawArrays {
     std::uint32_t count = 0, instances = 1, first = 0, baseInstance = 0;
 };
 
-std::int16_t nearest(float v) // std::lround() takes longer than all the rest of a normal
-{
-    return std::int16_t(int(v + 32768.5f) - 32768);
-}
-
-// Of the texels of `rect`, row by row.
-Normals normalsOf(const io::HeightMap& map, const io::TexelRect& rect)
-{
-    const glm::ivec2 low{rect.low}, high{rect.high};
-    const io::TexelRect around{glm::max(rect.low - io::Texel{1}, io::Texel{0}), glm::min(rect.high + io::Texel{1}, io::Texel{map.size})};
-    const io::HeightGrid heights = map.read(around);
-    const glm::ivec2 first{around.low}, last = heights.size - 1;
-    Normals normals;
-    normals.reserve(std::size_t(high.x - low.x) * (high.y - low.y));
-    const auto step = float(map.metresPerTexel);
-    for (int z = low.y - first.y; z < high.y - first.y; ++z)
-        for (int x = low.x - first.x; x < high.x - first.x; ++x) {
-            const int x0 = std::max(x - 1, 0), x1 = std::min(x + 1, last.x);
-            const int z0 = std::max(z - 1, 0), z1 = std::min(z + 1, last.y);
-            const float dx = (heights.at(x0, z) - heights.at(x1, z)) / (step * float(x1 - x0));
-            const float dz = (heights.at(x, z0) - heights.at(x, z1)) / (step * float(z1 - z0));
-            const float scale = 32767 / std::sqrt(dx * dx + dz * dz + 1);
-            normals.emplace_back(nearest(dx * scale), nearest(dz * scale));
-        }
-    return normals;
-}
-
-// The mean of four texels of a mip that is `size` large. Of an odd side the last row or column is left out, as of any mip.
-glm::i16vec2 halved(const Normals& from, glm::ivec2 size, int x, int z)
-{
-    const std::size_t right = size.x > 1, below = size.y > 1 ? std::size_t(size.x) : 0;
-    const glm::i16vec2* texel = &from[std::size_t(2 * z) * size.x + 2 * x];
-    return glm::i16vec2{(glm::ivec2{texel[0]} + glm::ivec2{texel[right]} + glm::ivec2{texel[below]} + glm::ivec2{texel[right + below]}) / 4};
-}
-
 bool holeBit(std::uint32_t texel)
 {
     return (texel & io::kHoleBit) != 0;
 }
 
-bool holes(const std::vector<std::uint32_t>& cover)
+bool holes(const io::CoverMap& cover, const io::TexelRect& rect)
 {
-    return std::ranges::any_of(cover, holeBit);
+    bool found = false;
+    cover.eachRun(rect, [&](const std::uint32_t* texels, std::size_t count) { found = found || std::any_of(texels, texels + count, holeBit); });
+    return found;
 }
 
 } // namespace
 
-ProgramDesc groundProgram(std::string label, GroundStages stages, std::string fragment, std::vector<std::string> defines)
-{
-    if (stages == GroundStages::Grid) return {std::move(label), {"terrain.vert.glsl", std::move(fragment)}, std::move(defines)};
-    return {std::move(label), {"terrain_patch.vert.glsl", "terrain.tesc.glsl", "terrain.tese.glsl", std::move(fragment)}, std::move(defines)};
-}
-
-Terrain::Terrain()
+Terrain::Terrain(TerrainLimits limits) : m_limits{limits}
 {
     makeGrid();
 }
@@ -128,41 +89,38 @@ void Terrain::update(const io::Scene& scene, const io::Assets& assets, const io:
     if (!usable) {
         ++m_revision;
         m_map = nullptr;
-        m_heights = {};
-        m_normals = {};
+        m_texels = nullptr;
+        m_coverMap = nullptr;
+        m_holed = false;
         m_choice.clear();
-        updateCover(nullptr, changes);
         return;
     }
-    updateCover(scene.cover(), changes);
     const bool sameShape = m_map && m_map->size == heights->size && m_map->metresPerTexel == heights->metresPerTexel &&
                            m_map->origin == heights->origin;
     const bool another = m_map != heights;
     m_map = heights;
     if (another && (changes.everything || !sameShape)) {
         ++m_revision;
-        uploadHeights();
+        loadHeights();
     } else {
         for (const io::TexelRect& changed : changes.heights)
             changeHeights(common(changed, m_map->texels()));
     }
+    updateCover(scene.cover(), changes);
     if (fields || !m_layers.present()) m_layers.update(scene.terrain(), assets, m_block);
 }
 
-void Terrain::uploadHeights()
+void Terrain::loadHeights()
 {
     const io::HeightMap& map = *m_map;
     m_tree = TerrainTree{map};
-    m_heights = gl::Texture{{.label = "ground heights", .size = map.size, .format = GL_R32F, .filter = GL_NEAREST}};
-    m_heights.upload(map.read(map.texels()).metres.data(), GL_RED, GL_FLOAT);
-    m_normals = gl::Texture{{.label = "ground normals",
-                             .size = map.size,
-                             .format = GL_RG16_SNORM,
-                             .mips = gl::fullMipCount(map.size)}};
-    m_normalMips.clear();
-    for (int mip = 0; mip < m_normals.mips(); ++mip)
-        m_normalMips.emplace_back(std::size_t(m_normals.size(mip).x) * m_normals.size(mip).y);
-    uploadNormals(map.texels());
+    const bool windowed = std::max(map.size.x, map.size.y) > m_limits.whole;
+    if (!m_texels || windowed != m_windowed) {
+        m_texels = windowed ? windowedTexels(m_limits.window) : wholeTexels();
+        m_windowed = windowed;
+        m_coverMap = nullptr; // which is loaded anew
+    }
+    m_texels->load(m_map);
     m_block.lastTexel = glm::vec2{map.size - 1};
     m_block.texelSize = 1.0f / glm::vec2{map.size};
     m_block.metres = float(map.metresPerTexel);
@@ -172,39 +130,29 @@ void Terrain::updateCover(const std::shared_ptr<const io::CoverMap>& cover, cons
 {
     if (cover == m_coverMap) return;
     const std::shared_ptr<const io::CoverMap> before = std::exchange(m_coverMap, cover);
-    if (!cover) {
-        if (m_holed) ++m_revision;
-        m_cover = {};
-        m_holed = false;
-    } else if (changes.everything || !before || before->size() != cover->size()) {
-        m_cover = gl::Texture{{.label = "ground cover", .size = cover->size(), .filter = GL_NEAREST}};
-        const std::vector<std::uint32_t> texels = cover->read(cover->rect());
-        m_cover.upload(texels.data(), GL_RGBA, GL_UNSIGNED_BYTE);
-        m_holed = holes(texels);
+    if (!cover || changes.everything || !before || before->size() != cover->size()) {
+        m_texels->loadCover(cover);
+        m_holed = cover && holes(*cover, cover->rect());
         ++m_revision;
-    } else {
-        for (const io::TexelRect& changed : changes.cover) {
-            const io::TexelRect rect = common(changed, cover->rect());
-            const std::vector<std::uint32_t> now = cover->read(rect), old = before->read(rect);
-            m_cover.uploadPart(rect.low, rect.high - rect.low, now.data(), GL_RGBA, GL_UNSIGNED_BYTE);
-            m_holed |= holes(now);
-            const bool otherHoles = !std::ranges::equal(now, old, {}, holeBit, holeBit);
-            if (otherHoles && m_map) touch(rect, m_map->min, m_map->max);
-        }
+        return;
+    }
+    for (const io::TexelRect& changed : changes.cover) {
+        const io::TexelRect rect = common(changed, cover->rect());
+        if (rect.empty()) continue;
+        m_texels->changeCover(cover, rect);
+        m_holed |= holes(*cover, rect);
+        const bool otherHoles = !std::ranges::equal(cover->read(rect), before->read(rect), {}, holeBit, holeBit);
+        if (otherHoles) touch(rect, m_map->min, m_map->max);
     }
 }
 
 void Terrain::changeHeights(const io::TexelRect& changed)
 {
     if (changed.empty()) return;
-    const io::HeightMap& map = *m_map;
     const glm::vec2 before = m_tree.rangeOf(changed);
-    m_tree.update(map, changed);
+    m_tree.update(*m_map, changed);
     const glm::vec2 after = m_tree.rangeOf(changed);
-    const io::HeightGrid part = map.read(changed);
-    m_heights.uploadPart(glm::ivec2{changed.low}, part.size, part.metres.data(), GL_RED, GL_FLOAT);
-    uploadNormals(changed);
-
+    m_texels->change(m_map, changed);
     touch(changed, std::min(before.x, after.x), std::max(before.y, after.y));
 }
 
@@ -220,50 +168,38 @@ void Terrain::touch(const io::TexelRect& rect, float low, float high)
     m_touched.emplace_back((from + to) * 0.5, glm::distance(from, to) * 0.5 + m_map->metresPerTexel);
 }
 
-// A normal looks at its neighbours, so those around what changed change too.
-void Terrain::uploadNormals(const io::TexelRect& changed)
-{
-    glm::ivec2 low = glm::max(glm::ivec2{changed.low} - 1, glm::ivec2{0}), high = glm::min(glm::ivec2{changed.high} + 1, m_map->size);
-    const Normals normals = normalsOf(*m_map, {low, high});
-    for (int mip = 0; mip < m_normals.mips(); ++mip) {
-        Normals& own = m_normalMips[std::size_t(mip)];
-        const glm::ivec2 size = m_normals.size(mip);
-        Normals part;
-        for (int z = low.y; z < high.y; ++z)
-            for (int x = low.x; x < high.x; ++x) {
-                const glm::i16vec2 normal = mip == 0 ? normals[part.size()] : halved(m_normalMips[std::size_t(mip) - 1], m_normals.size(mip - 1), x, z);
-                own[std::size_t(z) * size.x + x] = normal;
-                part.push_back(normal);
-            }
-        m_normals.uploadPart(low, high - low, part.data(), GL_RG, GL_SHORT, mip);
-        const glm::ivec2 above = m_normals.size(mip + 1);
-        low = glm::min(low / 2, above - 1);
-        high = glm::min((high + 1) / 2, above);
-    }
-}
-
 void Terrain::aim(const Eye& eye, const Eye& levelsFor, double errorPixels)
 {
     m_choice.clear();
     if (!present()) return;
     const io::HeightMap& map = *m_map;
     const auto inTerrain = [&map](const Eye& e) { return glm::dvec3{e.position.x - map.origin.x, e.position.y, e.position.z - map.origin.y}; };
-    const glm::dvec3 own = inTerrain(eye), levelsFrom = inTerrain(levelsFor);
+    const glm::dvec3 own = inTerrain(eye);
+    m_levelsFrom = inTerrain(levelsFor);
+    m_texels->follow(glm::dvec2{m_levelsFrom.x, m_levelsFrom.z} / map.metresPerTexel, m_block);
     const double pixel = pixelAngle(levelsFor);
-    m_choice.choose(m_tree, {.place = levelsFrom,
+    m_choice.choose(m_tree, {.place = m_levelsFrom,
                              .metresPerTexel = map.metresPerTexel,
                              .errorAngle = kErrorLeeway * errorPixels * pixel,
-                             .smallestQuad = kSmallestQuad * errorPixels * pixel});
+                             .smallestQuad = kSmallestQuad * errorPixels * pixel,
+                             .reach = [this](int level) { return m_texels->reach(level); }});
     m_block.eyeInTerrain = {own.x, own.z};
     m_block.eyeHeight = float(own.y);
-    m_block.levelsFrom = levelsFrom;
+    m_block.levelsFrom = m_levelsFrom;
     m_block.segmentAngle = float(kSmallestSegment * errorPixels * pixel);
+}
+
+ProgramDesc Terrain::program(std::string label, GroundStages stages, std::string fragment, std::vector<std::string> defines) const
+{
+    if (m_windowed) defines.emplace_back("WINDOWS");
+    if (stages == GroundStages::Grid) return {std::move(label), {"terrain.vert.glsl", std::move(fragment)}, std::move(defines)};
+    return {std::move(label), {"terrain_patch.vert.glsl", "terrain.tesc.glsl", "terrain.tese.glsl", std::move(fragment)}, std::move(defines)};
 }
 
 std::vector<std::string> Terrain::coverDefines() const
 {
     std::vector<std::string> defines{"LAYERS " + std::to_string(m_block.layers)};
-    if (m_cover) defines.emplace_back("PAINTED");
+    if (m_coverMap) defines.emplace_back("PAINTED");
     if (m_holed) defines.emplace_back("HOLES");
     return defines;
 }
@@ -300,10 +236,20 @@ Terrain::Draws Terrain::shadowDraws(GpuStream& stream, const std::optional<Volum
 {
     if (!present()) return {};
     const int level = m_tree.coarsestWithin(error);
+    const auto seen = [&](const GroundNode& node) { return sees(volume, node); };
     std::vector<ChosenNode> chosen;
-    for (const GroundNode& node : m_tree.selectLevel(level, [&](const GroundNode& one) { return sees(volume, one); }))
-        chosen.push_back({.node = node});
-    return {drawOf(stream, chosen, level == 0 ? GroundStages::Grid : stages)};
+    if (m_windowed) { // as fine as it is there, and tight between levels
+        TerrainChoice choice;
+        choice.choose(m_tree, {.place = m_levelsFrom,
+                               .metresPerTexel = m_map->metresPerTexel,
+                               .onlyLevel = level,
+                               .reach = [this](int one) { return m_texels->reach(one); }});
+        chosen = choice.nodes(m_tree, seen);
+    } else {
+        for (const GroundNode& node : m_tree.selectLevel(level, seen))
+            chosen.push_back({.node = node});
+    }
+    return {drawOf(stream, chosen, level == 0 && !m_windowed ? GroundStages::Grid : stages)};
 }
 
 Terrain::Draw Terrain::drawOf(GpuStream& stream, std::span<const ChosenNode> chosen, GroundStages stages) const
@@ -333,8 +279,7 @@ Terrain::Draw Terrain::drawOf(GpuStream& stream, std::span<const ChosenNode> cho
 void Terrain::bind(GpuFrame& gpu) const
 {
     gpu.constants(TERRAIN_BINDING, m_block);
-    gpu.bind({{HEIGHTS_UNIT, &m_heights}, {GROUND_NORMALS_UNIT, &m_normals}});
-    if (m_cover) gpu.bind({{COVER_UNIT, &m_cover}});
+    m_texels->bind(gpu);
     m_layers.bind(gpu);
 }
 
@@ -343,8 +288,7 @@ void Terrain::bindForShadows(GpuFrame& gpu) const
     glsl::Terrain still = m_block; // of no eye, so whole
     still.segmentAngle = 1e-9f;
     gpu.constants(TERRAIN_BINDING, still);
-    gpu.bind({{HEIGHTS_UNIT, &m_heights}});
-    if (m_cover) gpu.bind({{COVER_UNIT, &m_cover}});
+    m_texels->bindForShadows(gpu);
 }
 
 void Terrain::draw(GpuFrame& gpu, const Draw& draw)

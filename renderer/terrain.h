@@ -10,19 +10,20 @@
 #include "renderer/shader_library.h"
 #include "renderer/terrain_choice.h"
 #include "renderer/terrain_layers.h"
+#include "renderer/terrain_texels.h"
 
 namespace renderer {
 
-// Draws what Terrain::draws() gave, with a fragment stage that takes `place` (terrain.vert.glsl).
-ProgramDesc groundProgram(std::string label, GroundStages stages, std::string fragment, std::vector<std::string> defines = {});
-
-using Normals = std::vector<glm::i16vec2>; // x and z, as GL_RG16_SNORM
+// From which size on a map is held as windows around the eye, and how wide those are; texels.
+struct TerrainLimits {
+    int whole = 8192, window = 2112;
+};
 
 class Terrain {
 public:
-    Terrain();
+    explicit Terrain(TerrainLimits limits = {});
     void update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes);
-    bool present() const { return m_heights.id() != 0; }
+    bool present() const { return bool(m_map); }
 
     // Chooses the levels of detail that an eye needs, to be seen by another (usually the same).
     void aim(const Eye& eye, const Eye& levelsFor, double errorPixels = 1);
@@ -42,7 +43,9 @@ public:
     void bindForShadows(GpuFrame& gpu) const;
     void draw(GpuFrame& gpu, const Draw& draw);
 
-    std::vector<std::string> coverDefines() const; // of shaders that ask which layers cover it
+    // Draws what draws() gave, with a fragment stage that takes `place` (terrain.vert.glsl).
+    ProgramDesc program(std::string label, GroundStages stages, std::string fragment, std::vector<std::string> defines = {}) const;
+    std::vector<std::string> coverDefines() const; // of fragment stages that ask which layers cover it
     bool holed() const { return m_holed; } // perhaps; what is not is drawn a little faster
     io::WorldBox bounds() const;
     std::uint64_t revision() const { return m_revision; } // counts changes of all of it
@@ -52,28 +55,27 @@ public:
     const std::shared_ptr<const io::HeightMap>& heights() const { return m_map; }
 
 private:
-    void uploadHeights();
+    void loadHeights();
     void updateCover(const std::shared_ptr<const io::CoverMap>& cover, const io::Changes& changes);
     void touch(const io::TexelRect& rect, float low, float high); // what that part can shade is drawn anew; m
     void changeHeights(const io::TexelRect& changed);
-    void uploadNormals(const io::TexelRect& changed);
     void makeGrid();
     bool sees(const std::optional<Volume>& volume, const GroundNode& node) const;
     Draw drawOf(GpuStream& stream, std::span<const ChosenNode> chosen, GroundStages stages) const;
 
     std::shared_ptr<const io::HeightMap> m_map;
     TerrainTree m_tree;
-    gl::Texture m_heights; // m
-    gl::Texture m_normals; // x and z of the unit normal
-    std::vector<Normals> m_normalMips; // as uploaded: a change makes those above it anew
+    TerrainLimits m_limits;
+    std::unique_ptr<TerrainTexels> m_texels; // of the map, and of what covers it
+    bool m_windowed = false;
     std::shared_ptr<const io::CoverMap> m_coverMap;
-    gl::Texture m_cover; // as io::packed()
     bool m_holed = false;
     TerrainLayers m_layers;
     gl::Buffer m_gridVertices, m_gridIndices;
     gl::VertexArray m_grids, m_patches;
     glsl::Terrain m_block{};
     TerrainChoice m_choice;
+    glm::dvec3 m_levelsFrom{0}; // m, from the map's first texel
     std::uint64_t m_revision = 0;
     std::vector<glm::dvec4> m_touched;
 };

@@ -10,6 +10,7 @@ namespace {
 constexpr float kNested = 1.25f; // morphing goes on while the parent's reach is 1 .. kNested
 // Smaller reaches are not looked for: what one would split by lifting is three levels coarser, beside it, and strays little itself.
 constexpr float kWatched = 1 / (kNested * kNested * kNested);
+constexpr float kSplitForSure = 1e6f;
 constexpr double kNearest = 1e-3; // m
 constexpr std::array<glm::ivec2, 4> kBeside{{{-1, 0}, {0, -1}, {1, 0}, {0, 1}}}; // in the order of ChosenNode::edges
 
@@ -34,6 +35,9 @@ void TerrainChoice::choose(const TerrainTree& tree, const Eye& eye)
 {
     m_eye = eye;
     ++m_turn;
+    m_farthest.clear();
+    for (int level = 0; level < tree.levels(); ++level)
+        m_farthest.push_back(eye.reach ? eye.reach(level) * eye.metresPerTexel : INFINITY);
     m_reaches.resize(std::size_t(tree.levels()));
     m_visited.resize(m_reaches.size());
     for (int level = 0; level < tree.levels(); ++level) {
@@ -68,9 +72,17 @@ TerrainChoice::Reach& TerrainChoice::visit(const TerrainTree& tree, int level, g
     const GroundNode box = tree.nodeAt(level, node);
     const glm::dvec2 low = glm::dvec2{box.origin} * m_eye.metresPerTexel, high = low + m_eye.metresPerTexel * double(TERRAIN_QUADS << level);
     const glm::dvec3 from{low.x, box.low, low.y}, to{high.x, box.high, high.y};
-    const glm::dvec3 away = glm::max(glm::max(from - m_eye.place, m_eye.place - to), glm::dvec3{0});
-    const double distance = std::max(glm::length(away), kNearest), quad = m_eye.metresPerTexel * double(1 << level);
-    own.value = float(std::min(double(tree.error(level, node)) / (m_eye.errorAngle * distance), quad / (m_eye.smallestQuad * distance)));
+    if (m_eye.onlyLevel) {
+        own.value = level > *m_eye.onlyLevel ? kSplitForSure : 0;
+    } else {
+        const glm::dvec3 away = glm::max(glm::max(from - m_eye.place, m_eye.place - to), glm::dvec3{0});
+        const double distance = std::max(glm::length(away), kNearest), quad = m_eye.metresPerTexel * double(1 << level);
+        own.value = float(std::min(double(tree.error(level, node)) / (m_eye.errorAngle * distance), quad / (m_eye.smallestQuad * distance)));
+    }
+    if (level > 0 && std::isfinite(m_farthest[std::size_t(level) - 1])) {
+        const glm::dvec3 far = glm::max(glm::abs(from - m_eye.place), glm::abs(to - m_eye.place));
+        own.value = std::min(own.value, float(m_farthest[std::size_t(level) - 1] / std::max(far.x, far.z)));
+    }
     return own;
 }
 

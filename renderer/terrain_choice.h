@@ -9,6 +9,9 @@
 
 #include "renderer/terrain_tree.h"
 
+#include <functional>
+#include <optional>
+
 namespace renderer {
 
 // `morph`: 0 as the map has it .. 1 as the parent is. Odd vertices of an edge use the edge's own, which both sides agree on;
@@ -27,6 +30,8 @@ public:
         double metresPerTexel = 1;
         double errorAngle = 0;    // rad; how far the ground may stray
         double smallestQuad = 0;  // rad; no quad is split that shows smaller
+        std::optional<int> onlyLevel; // in place of both: that level wherever it is there
+        std::function<double(int level)> reach; // texels around the eye, along either axis, that a level is there for; empty: everywhere
     };
     void choose(const TerrainTree& tree, const Eye& eye);
     void clear() { m_visited.clear(); }
@@ -62,6 +67,7 @@ private:
     ChosenNode finished(const TerrainTree& tree, const GroundNode& node, glm::ivec2 place) const;
 
     Eye m_eye;
+    std::vector<double> m_farthest; // m, of each level: no node is split into it whose far corner lies beyond
     std::uint32_t m_turn = 0;
     std::vector<std::vector<Reach>> m_reaches;      // of each level's nodes
     std::vector<std::vector<glm::ivec2>> m_visited; // those of this turn

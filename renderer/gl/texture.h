@@ -44,8 +44,8 @@ public:
 
     // Whole mip of one layer, rows tightly packed.
     void upload(const void* pixels, GLenum format, GLenum type, int mip = 0, int layer = 0) const;
-    // A part of a mip of a plain texture.
-    void uploadPart(glm::ivec2 low, glm::ivec2 extent, const void* pixels, GLenum format, GLenum type, int mip = 0) const;
+    // A part of a mip of one layer.
+    void uploadPart(glm::ivec2 low, glm::ivec2 extent, const void* pixels, GLenum format, GLenum type, int mip = 0, int layer = 0) const;
 
 private:
     Handle<DeleteTexture> m_handle;

@@ -63,7 +63,7 @@ void GeometryPass::drawObjects(GpuFrame& gpu, const DrawList& objects)
 void GeometryPass::drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draws& ground)
 {
     for (const Terrain::Draw& part : ground) {
-        if (!gpu.use(m_shaders.program(groundProgram("ground", part.stages, "terrain.frag.glsl", scenery.terrain.coverDefines())))) continue;
+        if (!gpu.use(m_shaders.program(scenery.terrain.program("ground", part.stages, "terrain.frag.glsl", scenery.terrain.coverDefines())))) continue;
         framebuffer().bind();
         gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GL_BACK});
         scenery.terrain.bind(gpu);

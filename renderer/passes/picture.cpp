@@ -72,7 +72,7 @@ void ShowPass::drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draws&
 {
     state.cull = GL_BACK;
     for (const Terrain::Draw& part : ground) {
-        if (!gpu.use(m_shaders.program(groundProgram("ground again", part.stages, fragment, defines)))) continue;
+        if (!gpu.use(m_shaders.program(scenery.terrain.program("ground again", part.stages, fragment, defines)))) continue;
         gl::apply(state);
         scenery.terrain.bind(gpu);
         scenery.terrain.draw(gpu, part);

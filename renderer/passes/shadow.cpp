@@ -167,7 +167,7 @@ bool ShadowPass::draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoin
     const bool sways = mayBeSeen(scenery, viewpoint, request) && std::ranges::any_of(lists, swaysIn);
     const char* fragment = scenery.terrain.holed() ? "terrain_shadow.frag.glsl" : "empty.frag.glsl";
     for (const Terrain::Draw& part : scenery.terrain.shadowDraws(gpu.stream(), volume, cascade.texel * kGroundErrorTexels, settings.terrain)) {
-        if (!gpu.use(m_shaders.program(groundProgram("shadow of the ground", part.stages, fragment)))) continue;
+        if (!gpu.use(m_shaders.program(scenery.terrain.program("shadow of the ground", part.stages, fragment)))) continue;
         gl::apply(state);
         scenery.terrain.bindForShadows(gpu);
         scenery.terrain.draw(gpu, part);

@@ -15,7 +15,7 @@ vec3 cornerAt(vec2 corner)
 {
     vec2 texel = min(patchIn[0].xy + corner * (patchIn[0].z * kMost), terrain.lastTexel);
     vec2 flat_ = texel * terrain.metres;
-    return vec3(flat_.x, heightAt(texel), flat_.y);
+    return vec3(flat_.x, heightAt(texel, strideOf(patchIn[0].z)), flat_.y);
 }
 
 float shown(vec3 a, vec3 b) // segments that the edge from a to b is long enough for

@@ -1,4 +1,4 @@
-// A vertex of a tessellated patch. Between texels it lies on the map's triangles (io::HeightGrid): whatever the patch, so that
+// A vertex of a tessellated patch. Between texels (or samples of a window) it lies on the map's triangles (io::HeightGrid): whatever the patch, so that
 // neighbours meet.
 #include "terrain_surface.glsl"
 
@@ -16,10 +16,11 @@ layout(location = 1) flat out float level;
 void main()
 {
     vec2 texel = min(patchIn.xy + gl_TessCoord.xy * (patchIn.z * float(TERRAIN_QUADS)), terrain.lastTexel);
-    vec2 low = min(floor(texel), max(terrain.lastTexel - 1.0, 0.0)), f = texel - low;
-    float right = heightAt(low + vec2(1.0, 0.0)), below = heightAt(low + vec2(0.0, 1.0));
+    float stride = strideOf(patchIn.z);
+    vec2 at = texel / stride, low = min(floor(at), max(ceil(terrain.lastTexel / stride) - 1.0, 0.0)), f = at - low;
+    float right = heightAt((low + vec2(1.0, 0.0)) * stride, stride), below = heightAt((low + vec2(0.0, 1.0)) * stride, stride);
     bool upper = f.x + f.y <= 1.0;
-    float corner = heightAt(upper ? low : low + vec2(1.0));
+    float corner = heightAt((upper ? low : low + vec2(1.0)) * stride, stride);
     float height = corner + (right - corner) * (upper ? f.x : 1.0 - f.y) + (below - corner) * (upper ? f.y : 1.0 - f.x);
 
     gl_Position = clipPosition(texel, height);

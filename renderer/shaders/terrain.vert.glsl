@@ -27,7 +27,8 @@ void main()
     vec2 own = min(inPatch.xy + inGrid * inPatch.z, terrain.lastTexel);
     vec2 coarse = min(inPatch.xy + (inGrid - odd) * inPatch.z, terrain.lastTexel);
     vec2 texel = mix(own, coarse, k);
-    float height = mix(heightAt(own), heightAt(coarse), k);
+    float stride = strideOf(inPatch.z);
+    float height = mix(heightAt(own, stride), heightAt(coarse, stride), k);
 
     gl_Position = clipPosition(texel, height);
     place = vec3(texel, height);

@@ -1,6 +1,6 @@
 // Which two layers cover a point of the ground: up to 32, by slope and altitude or by hand.
 layout(binding = NOISE_UNIT) uniform sampler2D noiseField;
-layout(binding = GROUND_NORMALS_UNIT) uniform sampler2D groundNormals;
+layout(binding = GROUND_NORMALS_UNIT) uniform MAP_TEXTURE groundNormals;
 
 float ramps(float value, vec4 ramp)
 {
@@ -38,17 +38,24 @@ void consider(inout Choice c, const int index, vec3 where)
 }
 
 #ifdef PAINTED
-layout(binding = COVER_UNIT) uniform sampler2D coverMap; // io::packed(): lower layer, upper layer, share of the upper one, painted
+layout(binding = COVER_UNIT) uniform MAP_TEXTURE coverMap; // io::packed(): lower layer, upper layer, share of the upper one, painted
 
 // What was painted covers the rules. The four texels around name two layers each: all that are the same count together, and the
 // two that then show most are kept.
 void showPainted(inout Choice c, vec2 texel)
 {
-    vec2 at = clamp(texel, vec2(0.0), terrain.lastTexel);
-    ivec2 low = min(ivec2(at), ivec2(terrain.lastTexel) - 1);
+    vec2 at = clamp(texel, vec2(0.0), terrain.lastTexel), last = terrain.lastTexel;
+#ifdef WINDOWS
+    float level = floor(windowLevel(texel));
+    at *= exp2(-level);
+    last *= exp2(-level);
+#define COVER_AT(place) texelFetch(coverMap, windowTexel(place, int(level)), 0)
+#else
+#define COVER_AT(place) texelFetch(coverMap, place, 0)
+#endif
+    ivec2 low = max(min(ivec2(at), ivec2(last) - 1), ivec2(0));
     vec2 f = at - vec2(low);
-    vec4 near[4] = vec4[](texelFetch(coverMap, low, 0), texelFetch(coverMap, low + ivec2(1, 0), 0),
-                          texelFetch(coverMap, low + ivec2(0, 1), 0), texelFetch(coverMap, low + ivec2(1, 1), 0));
+    vec4 near[4] = vec4[](COVER_AT(low), COVER_AT(low + ivec2(1, 0)), COVER_AT(low + ivec2(0, 1)), COVER_AT(low + ivec2(1, 1)));
     if (near[0].a + near[1].a + near[2].a + near[3].a == 0.0) return;
     vec4 weight = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
     int layer[10];
@@ -87,7 +94,15 @@ void showPainted(inout Choice c, vec2 texel)
 
 vec3 groundNormal(vec2 texel)
 {
+#ifdef WINDOWS
+    float footprint = log2(max(max(length(dFdx(texel)), length(dFdy(texel))), 1e-3));
+    float level = clamp(footprint, windowLevel(texel), float(terrain.windows - 1));
+    float finer = floor(level), coarser = min(finer + 1.0, float(terrain.windows - 1));
+    vec2 flat_ = mix(textureLod(groundNormals, vec3((texel * exp2(-finer) + 0.5) / float(terrain.windowSide), finer), 0.0).xy,
+                     textureLod(groundNormals, vec3((texel * exp2(-coarser) + 0.5) / float(terrain.windowSide), coarser), 0.0).xy, level - finer);
+#else
     vec2 flat_ = texture(groundNormals, (texel + 0.5) * terrain.texelSize).xy;
+#endif
     return vec3(flat_.x, sqrt(max(1.0 - dot(flat_, flat_), 0.0025)), flat_.y);
 }
 

@@ -1,9 +1,8 @@
 // The ground in shadow maps, where it has holes.
-#include "shared/bindings.h"
-
+#include "terrain.glsl"
 #include "hole.glsl"
 
-layout(binding = COVER_UNIT) uniform sampler2D coverMap;
+layout(binding = COVER_UNIT) uniform MAP_TEXTURE coverMap;
 
 layout(location = 0) in vec3 place;
 

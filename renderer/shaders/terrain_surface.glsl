@@ -2,11 +2,26 @@
 #include "terrain.glsl"
 #include "view.glsl"
 
-layout(binding = HEIGHTS_UNIT) uniform sampler2D heights;
+layout(binding = HEIGHTS_UNIT) uniform MAP_TEXTURE heights;
 
-float heightAt(vec2 texel)
+// Texels between the samples that a node with vertices so many texels apart is drawn from.
+float strideOf(float step)
 {
+#ifdef WINDOWS
+    return min(step, exp2(float(terrain.windows - 1)));
+#else
+    return 1.0;
+#endif
+}
+
+// Of a texel that lies on the stride, or is the map's last.
+float heightAt(vec2 texel, float stride)
+{
+#ifdef WINDOWS
+    return texelFetch(heights, windowTexel(ivec2(ceil(texel / stride)), int(log2(stride) + 0.5)), 0).r;
+#else
     return texelFetch(heights, ivec2(texel), 0).r;
+#endif
 }
 
 vec4 clipPosition(vec2 texel, float height)

@@ -29,10 +29,12 @@ struct Terrain {
     vec2 lastTexel;    float metres;     int layers;   // size - 1; m per texel
     vec2 eyeInTerrain; vec2 texelSize;                 // eye from the origin, m; 1 / size
     vec3 levelsFrom;   float eyeHeight;                // m, from the origin: the eye that the levels are chosen for; m
-    float segmentAngle; float unused0; float unused1; float unused2; // rad that a tessellated edge's segment takes at least
+    float segmentAngle; int windows; int windowSide; float windowReach; // rad that a tessellated edge's segment takes at least; levels
+                                                       // held as windows around the eye, 0: all of the map is there; samples; texels
+    vec2 windowsFrom;  float unused0;    float unused1; // texel
     TerrainLayer layer[TERRAIN_LAYERS];
 };
-SHARED_STRUCT_END(Terrain, 2624)
+SHARED_STRUCT_END(Terrain, 2640)
 
 SHARED_END
 #endif

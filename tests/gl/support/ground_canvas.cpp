@@ -9,11 +9,11 @@
 
 namespace test {
 
-GroundCanvas::GroundCanvas(glm::ivec2 size)
+GroundCanvas::GroundCanvas(glm::ivec2 size, renderer::TerrainLimits limits)
     : m_size{size}, m_shaders{WOLD_SOURCE_DIR "/renderer/shaders"}, m_empty{"empty"},
       m_colour{{.label = "places", .size = size, .format = GL_RGBA32F, .filter = GL_NEAREST, .target = true}},
       m_depth{{.label = "depth", .size = size, .format = GL_DEPTH_COMPONENT32F, .filter = GL_NEAREST, .target = true}},
-      m_target{{.label = "ground alone", .colours = {&m_colour}, .depth = &m_depth}}
+      m_target{{.label = "ground alone", .colours = {&m_colour}, .depth = &m_depth}}, m_terrain{limits}
 {
 }
 
@@ -38,7 +38,7 @@ int GroundCanvas::draw(const renderer::Eye& eye, const renderer::Eye& levelsFor,
         m_target.bind();
         m_terrain.aim(eye, levelsFor);
         for (const renderer::Terrain::Draw& part : draws()) {
-            if (!gpu.use(m_shaders.program(renderer::groundProgram("ground alone", part.stages, "../../tests/gl/support/place.frag.glsl")))) continue;
+            if (!gpu.use(m_shaders.program(m_terrain.program("ground alone", part.stages, "../../tests/gl/support/place.frag.glsl")))) continue;
             renderer::gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GLenum(sun ? GL_NONE : GL_BACK), .depthClamp = sun});
             sun ? m_terrain.bindForShadows(gpu) : m_terrain.bind(gpu);
             m_terrain.draw(gpu, part);

@@ -8,7 +8,7 @@ namespace test {
 
 class GroundCanvas {
 public:
-    explicit GroundCanvas(glm::ivec2 size);
+    explicit GroundCanvas(glm::ivec2 size, renderer::TerrainLimits limits = {});
     void load(std::shared_ptr<const io::HeightMap> map);
     renderer::Terrain& terrain() { return m_terrain; }
 
