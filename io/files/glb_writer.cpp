@@ -1,7 +1,7 @@
 // Writes a model as binary glTF 2.0 (Khronos, sections 3 and 4.4).
+#include "io/files/gltf_buffer.h"
 #include "io/files/image_file.h"
 #include "io/files/png_file.h"
-#include "io/files/json.h"
 #include "io/files/model_file.h"
 #include "io/scene/field_words.h"
 
@@ -11,95 +11,50 @@
 namespace io {
 namespace {
 
-constexpr int kFloat = 5126;
-constexpr int kUnsignedByte = 5121;
-constexpr int kUnsignedShort = 5123;
-constexpr int kUnsignedInt = 5125;
-constexpr int kVertexData = 34962; // ARRAY_BUFFER
-constexpr int kIndexData = 34963;  // ELEMENT_ARRAY_BUFFER
-
-template <class V> Value numbers(const V& vector)
+template <class T, class Get> int addVertices(GltfBuffer& buffer, const Model& model, Get get, int component, const char* type)
 {
-    Value::Array result;
-    for (int i = 0; i < vector.length(); ++i)
-        result.push_back(decimal(vector[i]));
-    return result;
+    std::vector<T> values;
+    values.reserve(model.vertices.size());
+    for (const Vertex& vertex : model.vertices)
+        values.push_back(get(vertex));
+    const int view = buffer.addView(values.data(), values.size() * sizeof(T), kVertexData);
+    return buffer.addAccessor(view, component, 0, values.size(), type);
 }
-
-// The binary chunk, and the views and accessors into it.
-struct Buffer {
-    std::string bytes;
-    Value::Array views;
-    Value::Array accessors;
-
-    int addView(const void* data, std::size_t size, int target)
-    {
-        bytes.resize((bytes.size() + 3) & ~std::size_t{3});
-        Value::Object view{
-            {"buffer", 0}, {"byteOffset", std::uint64_t(bytes.size())}, {"byteLength", std::uint64_t(size)}};
-        if (target != 0) view.emplace_back("target", target);
-        bytes.append(static_cast<const char*>(data), size);
-        views.push_back(std::move(view));
-        return int(views.size()) - 1;
-    }
-    int addAccessor(int view, int component, std::uint64_t offset, std::uint64_t count, const char* type)
-    {
-        Value::Object accessor{{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}};
-        if (offset > 0) accessor.insert(accessor.begin() + 1, {"byteOffset", offset});
-        accessors.push_back(std::move(accessor));
-        return int(accessors.size()) - 1;
-    }
-    template <class T, class Get> int addVertices(const Model& model, Get get, int component, const char* type)
-    {
-        std::vector<T> values;
-        values.reserve(model.vertices.size());
-        for (const Vertex& vertex : model.vertices)
-            values.push_back(get(vertex));
-        const int view = addView(values.data(), values.size() * sizeof(T), kVertexData);
-        return addAccessor(view, component, 0, values.size(), type);
-    }
-};
 
 bool any(const Model& model, auto differs)
 {
     return std::any_of(model.vertices.begin(), model.vertices.end(), differs);
 }
 
-Value attributes(const Model& model, Buffer& buffer)
+Value attributes(const Model& model, GltfBuffer& buffer)
 {
     Value::Object result;
     const auto add = [&](const char* name, int accessor) { result.emplace_back(name, accessor); };
-    add("POSITION", buffer.addVertices<glm::vec3>(
-                        model, [](const Vertex& v) { return v.position; }, kFloat, "VEC3"));
+    add("POSITION", addVertices<glm::vec3>(buffer, model, [](const Vertex& v) { return v.position; }, kFloat, "VEC3"));
     Box bounds;
     for (const Vertex& vertex : model.vertices)
         bounds.add(vertex.position);
     buffer.accessors.back()["min"] = numbers(bounds.min);
     buffer.accessors.back()["max"] = numbers(bounds.max);
-    add("NORMAL", buffer.addVertices<glm::vec3>(
-                      model, [](const Vertex& v) { return v.normal; }, kFloat, "VEC3"));
+    add("NORMAL", addVertices<glm::vec3>(buffer, model, [](const Vertex& v) { return v.normal; }, kFloat, "VEC3"));
     const bool bumpy = std::any_of(model.materials.begin(), model.materials.end(),
                                    [](const Material& m) { return m.normalTexture.image >= 0; });
     if (bumpy)
-        add("TANGENT", buffer.addVertices<glm::vec4>(
-                           model, [](const Vertex& v) { return v.tangent; }, kFloat, "VEC4"));
+        add("TANGENT", addVertices<glm::vec4>(buffer, model, [](const Vertex& v) { return v.tangent; }, kFloat, "VEC4"));
     const bool second = any(model, [](const Vertex& v) { return v.uv1 != glm::vec2{0}; });
     if (second || any(model, [](const Vertex& v) { return v.uv0 != glm::vec2{0}; }))
-        add("TEXCOORD_0", buffer.addVertices<glm::vec2>(
-                              model, [](const Vertex& v) { return v.uv0; }, kFloat, "VEC2"));
+        add("TEXCOORD_0", addVertices<glm::vec2>(buffer, model, [](const Vertex& v) { return v.uv0; }, kFloat, "VEC2"));
     if (second)
-        add("TEXCOORD_1", buffer.addVertices<glm::vec2>(
-                              model, [](const Vertex& v) { return v.uv1; }, kFloat, "VEC2"));
+        add("TEXCOORD_1", addVertices<glm::vec2>(buffer, model, [](const Vertex& v) { return v.uv1; }, kFloat, "VEC2"));
     if (any(model, [](const Vertex& v) { return v.colour != glm::u8vec4{255}; })) {
-        add("COLOR_0", buffer.addVertices<glm::u8vec4>(
-                           model, [](const Vertex& v) { return v.colour; }, kUnsignedByte, "VEC4"));
+        add("COLOR_0", addVertices<glm::u8vec4>(buffer, model, [](const Vertex& v) { return v.colour; }, kUnsignedByte, "VEC4"));
         buffer.accessors.back()["normalized"] = true;
     }
     return result;
 }
 
 // One view holds all indices; each part is an accessor into it.
-Value primitives(const Model& model, Buffer& buffer)
+Value primitives(const Model& model, GltfBuffer& buffer)
 {
     const Value vertexAccessors = attributes(model, buffer);
     const bool narrow = model.vertices.size() < 65535; // 65535 itself means "restart" to some readers
@@ -201,7 +156,7 @@ private:
     const Model& m_model;
 };
 
-Result<Value> images(const Model& model, Buffer& buffer)
+Result<Value> images(const Model& model, GltfBuffer& buffer)
 {
     Value::Array result;
     for (const auto& image : model.images) {
@@ -217,15 +172,6 @@ Result<Value> images(const Model& model, Buffer& buffer)
 void addList(Value::Object& gltf, const char* key, Value::Array list)
 {
     if (!list.empty()) gltf.emplace_back(key, std::move(list));
-}
-
-void appendChunk(std::string& out, const char* type, std::string data, char padding)
-{
-    data.resize((data.size() + 3) & ~std::size_t{3}, padding);
-    const auto size = std::uint32_t(data.size());
-    out.append(reinterpret_cast<const char*>(&size), 4);
-    out.append(type, 4);
-    out += data;
 }
 
 // Parts index whole triangles of known vertices and name known materials, or the file would be refused by readers.
@@ -257,7 +203,7 @@ Result<std::string> encodeGlb(const Model& model)
 {
     if (!consistent(model)) return Error{model.name, "the model has no triangles, or parts that do not fit its data"};
     if (!model.levels.empty()) return encodeGlb(withoutLevels(model));
-    Buffer buffer;
+    GltfBuffer buffer;
     Value meshes = Value::Object{{"name", model.name}, {"primitives", primitives(model, buffer)}};
     MaterialWriter writer{model};
     Value::Array materials;
@@ -283,12 +229,7 @@ Result<std::string> encodeGlb(const Model& model)
     addList(gltf, "bufferViews", std::move(buffer.views));
     gltf.emplace_back("buffers", Value::Array{Value::Object{{"byteLength", std::uint64_t(buffer.bytes.size())}}});
 
-    std::string chunks;
-    appendChunk(chunks, "JSON", writeJson(gltf), ' ');
-    appendChunk(chunks, "BIN\0", std::move(buffer.bytes), '\0');
-    const std::uint32_t header[] = {0x46546C67, 2, std::uint32_t(chunks.size()) + 12}; // "glTF"
-    std::string out{reinterpret_cast<const char*>(header), sizeof header};
-    return out + chunks;
+    return glbOf(gltf, std::move(buffer.bytes));
 }
 
 } // namespace io
