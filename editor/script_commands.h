@@ -24,6 +24,7 @@ std::span<const ScriptCommand> placeCommands();     // place scatter duplicate d
 std::span<const ScriptCommand> transformCommands(); // move rotate scale rename assign
 std::span<const ScriptCommand> documentCommands();  // select set get undo redo save save_as reload view render …
 std::span<const ScriptCommand> groundCommands();    // sculpt paint
+std::span<const ScriptCommand> heightCommands();    // import_heights export_heights
 std::span<const ScriptCommand> queryCommands();     // objects object selection height pick stats history
 
 io::Value describe(const PickHit& hit, const io::Scene& scene);
