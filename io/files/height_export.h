@@ -28,6 +28,7 @@ Result<HeightExport> exportHeights(const std::filesystem::path& file, const Heig
 constexpr std::uint64_t kUsualTriangles = 2'000'000;
 constexpr std::uint64_t kMostTriangles = 64'000'000; // 1 GiB
 
+std::uint64_t meshTriangles(glm::ivec2 size, int step); // without holes
 // The least power of two that makes no more than so many triangles.
 int meshStep(glm::ivec2 size, std::uint64_t triangles = kUsualTriangles);
 

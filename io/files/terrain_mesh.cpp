@@ -26,12 +26,6 @@ std::vector<int> lines(int texels, int step)
     return at;
 }
 
-std::uint64_t trianglesOf(glm::ivec2 size, int step)
-{
-    const auto squares = [&](int texels) { return std::uint64_t(texels - 2) / std::uint64_t(step) + 1; };
-    return squares(size.x) * squares(size.y) * 2;
-}
-
 // A tile's lines, columns and rows, out of those of the whole ground.
 struct Tile {
     std::span<const int> columns, rows; // texels
@@ -173,10 +167,16 @@ std::string uriOf(const std::string& name)
 
 } // namespace
 
+std::uint64_t meshTriangles(glm::ivec2 size, int step)
+{
+    const auto squares = [&](int texels) { return std::uint64_t(texels - 2) / std::uint64_t(step) + 1; };
+    return squares(size.x) * squares(size.y) * 2;
+}
+
 int meshStep(glm::ivec2 size, std::uint64_t triangles)
 {
     int step = 1;
-    while (trianglesOf(size, step) > triangles)
+    while (meshTriangles(size, step) > triangles)
         step *= 2;
     return step;
 }
@@ -184,8 +184,8 @@ int meshStep(glm::ivec2 size, std::uint64_t triangles)
 Result<MeshExport> exportTerrainMesh(const fs::path& file, const HeightMap& heights, const CoverMap* cover, const Terrain& terrain, int step)
 {
     if (!exportsMesh(file)) return Error{file.string(), "the ground's mesh is written as .glb or .gltf"};
-    if (trianglesOf(heights.size, step) > kMostTriangles)
-        return Error{file.string(), fmt::format("{} triangles are too many for one file; ask for a step of {} texels or more", trianglesOf(heights.size, step),
+    if (meshTriangles(heights.size, step) > kMostTriangles)
+        return Error{file.string(), fmt::format("{} triangles are too many for one file; ask for a step of {} texels or more", meshTriangles(heights.size, step),
                                                 meshStep(heights.size, kMostTriangles))};
     const std::vector<int> columns = lines(heights.size.x, step), rows = lines(heights.size.y, step);
     MeshWriter writer{heights, cover, step};
