@@ -54,9 +54,9 @@ struct Heights : testing::Test {
     }
     void type(const char* field, const char* text)
     {
-        const ImVec2 at = rig->at(field, "number", "dialog");
-        rig->click(at);
-        rig->click(at);
+        rig->hold(true); // Ctrl and click types
+        rig->click(field, "number", "dialog");
+        rig->hold(false);
         rig->frame(2);
         rig->key(editor::ctrl(Key::A));
         rig->type(text);
