@@ -46,6 +46,14 @@ bool measured(const char* id, const char* label, const char* unit, double min, d
     return changed;
 }
 
+void lookAtAll(Editor& editor)
+{
+    const io::HeightMap& map = *editor.document()->scene().heights();
+    const glm::dvec2 end = map.origin + glm::dvec2{map.size - 1} * map.metresPerTexel;
+    const glm::dvec2 pixels{glm::max(editor.viewport().view().size, 1)};
+    editor.viewport().camera.frame({{map.origin.x, map.min, map.origin.y}, {end.x, map.max, end.y}}, pixels.x / pixels.y);
+}
+
 void warning(const std::string& text)
 {
     ImGui::PushTextWrapPos(0);
@@ -179,8 +187,10 @@ io::Status HeightImportForm::import(Editor& editor)
     if (!ground) return ground.error();
     for (const io::Complaint& complaint : m_ofFile)
         io::log::warning("{}: {}", complaint.where, complaint.what);
+    const bool elsewhere = replaces() || !editor.document()->scene().heights();
     editor.step("undo.import_heights", [&](Document& document) { importGround(document, tr("undo.import_heights"), *ground, m_file); });
     editor.toasts().add(io::log::Level::Info, trf("message.heights_imported", m_file.filename().string()));
+    if (elsewhere) lookAtAll(editor); // the eye may lie deep in the new ground
     return {};
 }
 
