@@ -67,17 +67,17 @@ void addImport(CLI::App& app, Options& o)
 void addExport(CLI::App& app, Options& o)
 {
     Exchange& e = o.exchange;
-    app.add_option("--out", o.out, "heights: .png .r16 (16 bits), .exr .tif .r32 (metres); the ground's mesh: .glb .gltf")->type_name("FILE")->required();
-    add(app, "--only", "WHAT", "terrain: the ground alone, which is all that is exported today", [&e](const std::string& text) {
+    app.add_option("--out", o.out, "the world: .glb .gltf; heights: .png .r16 (16 bits), .exr .tif .r32 (metres)")->type_name("FILE")->required();
+    add(app, "--only", "WHAT", "terrain: of .glb and .gltf the ground alone", [&e](const std::string& text) {
         if (text != "terrain") throw wrong("--only", text, "choose terrain");
         e.onlyTerrain = true;
     });
-    add(app, "--step", "N", "texels from vertex to vertex of the mesh (default: what makes at most two million triangles)", [&e](const std::string& text) {
+    add(app, "--step", "N", "texels from vertex to vertex of the ground (default: what makes at most two million triangles)", [&e](const std::string& text) {
         const auto step = toNumber<int>(text);
         if (!step || *step < 1 || *step > io::kGroundLimits.side) throw wrong("--step", text, fmt::format("write a whole number from 1 to {}", io::kGroundLimits.side));
         e.step = *step;
     });
-    app.add_option("--scene", o.scene, "scene whose ground it is (default: the start scene)")->type_name("NAME");
+    app.add_option("--scene", o.scene, "scene to export (default: the start scene)")->type_name("NAME");
 }
 
 } // namespace app

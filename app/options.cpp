@@ -241,7 +241,7 @@ void build(CLI::App& app, Options& o)
             });
     const auto project = [](CLI::App& sub, Options& to) { addProject(sub, to, true); };
     command(Command::Import, "bring height maps, models, pictures and sounds into a project", project, addImport);
-    command(Command::Export, "write the ground for other programs", project, addExport);
+    command(Command::Export, "write a world, or its ground, for other programs", project, addExport);
 }
 
 // The first word that is neither an option nor an option's value.

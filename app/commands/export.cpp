@@ -1,9 +1,10 @@
-// wold export: the ground for other programs, as heights or as a mesh.
+// wold export: a world as one glTF file, or its ground as heights or as a mesh.
 #include "app/commands/commands.h"
 #include "app/opened.h"
 #include "app/report.h"
 #include "editor/ground_import.h"
 #include "io/files/height_export.h"
+#include "io/files/world_export.h"
 
 #include <fmt/format.h>
 
@@ -31,19 +32,38 @@ std::string inWords(const io::Value& done)
     return words;
 }
 
+int exportWhole(const Options& options, const editor::Document& document)
+{
+    const auto done = io::exportWorld(options.out, document.scene(), document.assets(), options.exchange.step);
+    if (!done) return fault(done.error());
+    if (!options.quiet && options.json != "-")
+        fmt::print("{}: {} models, {} copies, {} triangles of ground{}\n", options.out.string(), done->models, done->instances, done->groundTriangles,
+                   done->leftOut > 0 ? fmt::format("; {} objects without a model left out", done->leftOut) : "");
+    io::Value::Array files;
+    for (const std::filesystem::path& file : done->written)
+        files.push_back(file.generic_string());
+    const io::Status written = writeFigures(options.json, io::Value::Object{{"models", done->models},
+                                                                            {"instances", done->instances},
+                                                                            {"ground_triangles", done->groundTriangles},
+                                                                            {"step", done->step},
+                                                                            {"left_out", done->leftOut},
+                                                                            {"files", std::move(files)}});
+    return written ? 0 : fault(written.error());
+}
+
 } // namespace
 
 int exportFile(const Options& options)
 {
     const bool mesh = io::exportsMesh(options.out);
     if (!mesh && !io::exportsHeights(options.out))
-        return misuse(fmt::format("--out {}: heights are written as .png, .r16, .exr, .tif or .r32, the ground's mesh as .glb or .gltf", options.out.string()));
-    if (mesh && !options.exchange.onlyTerrain)
-        return misuse(fmt::format("--out {}: whole worlds are exported by a later release; --only terrain writes the ground", options.out.string()));
+        return misuse(fmt::format("--out {}: a world, or its ground's mesh (--only terrain), is written as .glb or .gltf, heights as .png, .r16, .exr, .tif or .r32", options.out.string()));
     if (!mesh && options.exchange.step > 0) return misuse("--step goes with .glb and .gltf");
     auto opened = openAsAsked(options);
     if (const int* code = std::get_if<int>(&opened)) return *code;
-    const auto done = editor::exportGround(std::get<Opened>(opened).document->scene(), options.out, options.exchange.step);
+    const editor::Document& document = *std::get<Opened>(opened).document;
+    if (mesh && !options.exchange.onlyTerrain) return exportWhole(options, document);
+    const auto done = editor::exportGround(document.scene(), options.out, options.exchange.step);
     if (!done) return fault(done.error());
     if (!options.quiet && options.json != "-") fmt::print("{}\n", inWords(*done));
     const io::Status written = writeFigures(options.json, *done);

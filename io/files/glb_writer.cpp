@@ -1,5 +1,5 @@
 // Writes a model as binary glTF 2.0 (Khronos, sections 3 and 4.4).
-#include "io/files/gltf_buffer.h"
+#include "io/files/gltf_document.h"
 #include "io/files/image_file.h"
 #include "io/files/png_file.h"
 #include "io/files/model_file.h"
@@ -54,7 +54,7 @@ Value attributes(const Model& model, GltfBuffer& buffer)
 }
 
 // One view holds all indices; each part is an accessor into it.
-Value primitives(const Model& model, GltfBuffer& buffer)
+Value primitives(const Model& model, GltfBuffer& buffer, int firstMaterial)
 {
     const Value vertexAccessors = attributes(model, buffer);
     const bool narrow = model.vertices.size() < 65535; // 65535 itself means "restart" to some readers
@@ -69,7 +69,7 @@ Value primitives(const Model& model, GltfBuffer& buffer)
         const int indices = buffer.addAccessor(view, narrow ? kUnsignedShort : kUnsignedInt,
                                                std::uint64_t(part.firstIndex) * size, part.indexCount, "SCALAR");
         result.push_back(
-            Value::Object{{"attributes", vertexAccessors}, {"indices", indices}, {"material", part.material}});
+            Value::Object{{"attributes", vertexAccessors}, {"indices", indices}, {"material", firstMaterial + part.material}});
     }
     return result;
 }
@@ -77,11 +77,7 @@ Value primitives(const Model& model, GltfBuffer& buffer)
 // Textures, samplers and materials, and the extensions they turn out to need.
 class MaterialWriter {
 public:
-    explicit MaterialWriter(const Model& model) : m_model{model} {}
-    Value::Array textures;
-    Value::Array samplers;
-    bool usesTransform = false;
-    bool usesUnlit = false;
+    MaterialWriter(const Model& model, GltfDocument& document) : m_model{model}, m_document{document} {}
 
     Value write(const Material& material)
     {
@@ -102,7 +98,7 @@ public:
         }
         if (material.doubleSided) result.emplace_back("doubleSided", true);
         if (material.unlit) {
-            usesUnlit = true;
+            m_document.usesUnlit = true;
             result.emplace_back("extensions", Value::Object{{"KHR_materials_unlit", Value::Object{}}});
         }
         return result;
@@ -118,7 +114,7 @@ private:
         if (use.uvSet != 0) info.emplace_back("texCoord", use.uvSet);
         if (factorKey && factor != 1) info.emplace_back(factorKey, decimal(factor));
         if (use.offset != glm::vec2{0} || use.scale != glm::vec2{1} || use.rotation != 0) {
-            usesTransform = true;
+            m_document.usesTransform = true;
             info.emplace_back("extensions",
                               Value::Object{{"KHR_texture_transform", Value::Object{{"offset", numbers(use.offset)},
                                                                                     {"rotation", decimal(use.rotation)},
@@ -128,22 +124,16 @@ private:
     }
     int textureOf(const TextureUse& use)
     {
-        // Files without a null image number their images as the model does; see imageNumber().
-        const Value texture = Value::Object{{"sampler", samplerOf(use)}, {"source", imageNumber(use.image)}};
-        return indexIn(textures, texture);
+        const int source = m_document.imageNumbers.at(m_model.images[std::size_t(use.image)].get());
+        return indexIn(m_document.textures, Value::Object{{"sampler", samplerOf(use)}, {"source", source}});
     }
     int samplerOf(const TextureUse& use)
     {
         const auto code = [](Wrap wrap) { return wrap == Wrap::Clamp ? 33071 : wrap == Wrap::Mirror ? 33648 : 10497; };
-        return indexIn(samplers, Value::Object{{"magFilter", 9729}, // LINEAR
+        return indexIn(m_document.samplers, Value::Object{{"magFilter", 9729}, // LINEAR
                                                {"minFilter", 9987}, // LINEAR_MIPMAP_LINEAR
                                                {"wrapS", code(use.wrapU)},
                                                {"wrapT", code(use.wrapV)}});
-    }
-    int imageNumber(int image) const
-    {
-        return int(std::count_if(m_model.images.begin(), m_model.images.begin() + image,
-                                 [](const auto& known) { return known != nullptr; }));
     }
     static int indexIn(Value::Array& list, const Value& item)
     {
@@ -154,24 +144,20 @@ private:
     }
 
     const Model& m_model;
+    GltfDocument& m_document;
 };
 
-Result<Value> images(const Model& model, GltfBuffer& buffer)
+Status addImages(const Model& model, GltfDocument& document)
 {
-    Value::Array result;
     for (const auto& image : model.images) {
-        if (!image) continue;
+        if (!image || document.imageNumbers.contains(image.get())) continue;
         const Result<std::string> png = encodePng(*image);
         if (!png) return png.error();
-        const int view = buffer.addView(png->data(), png->size(), 0);
-        result.push_back(Value::Object{{"bufferView", view}, {"mimeType", "image/png"}});
+        const int view = document.buffer.addView(png->data(), png->size(), 0);
+        document.imageNumbers[image.get()] = int(document.images.size());
+        document.images.push_back(Value::Object{{"bufferView", view}, {"mimeType", "image/png"}});
     }
-    return Value{std::move(result)};
-}
-
-void addList(Value::Object& gltf, const char* key, Value::Array list)
-{
-    if (!list.empty()) gltf.emplace_back(key, std::move(list));
+    return {};
 }
 
 // Parts index whole triangles of known vertices and name known materials, or the file would be refused by readers.
@@ -199,37 +185,26 @@ Model withoutLevels(Model model)
 
 } // namespace
 
-Result<std::string> encodeGlb(const Model& model)
+Result<int> GltfDocument::addMesh(const Model& model)
 {
     if (!consistent(model)) return Error{model.name, "the model has no triangles, or parts that do not fit its data"};
-    if (!model.levels.empty()) return encodeGlb(withoutLevels(model));
-    GltfBuffer buffer;
-    Value meshes = Value::Object{{"name", model.name}, {"primitives", primitives(model, buffer)}};
-    MaterialWriter writer{model};
-    Value::Array materials;
+    if (!model.levels.empty()) return addMesh(withoutLevels(model));
+    meshes.push_back(Value::Object{{"name", model.name}, {"primitives", primitives(model, buffer, int(materials.size()))}});
+    if (const Status added = addImages(model, *this); !added) return Error{model.name, added.error().text()};
+    MaterialWriter writer{model, *this};
     for (const Material& material : model.materials)
         materials.push_back(writer.write(material));
-    Result<Value> imageList = images(model, buffer);
-    if (!imageList) return Error{model.name, imageList.error().text()};
+    return int(meshes.size()) - 1;
+}
 
-    Value::Array extensions;
-    if (writer.usesUnlit) extensions.push_back("KHR_materials_unlit");
-    if (writer.usesTransform) extensions.push_back("KHR_texture_transform");
-    Value::Object gltf{{"asset", Value::Object{{"version", "2.0"}, {"generator", "Wold"}}}};
-    addList(gltf, "extensionsUsed", std::move(extensions));
-    gltf.emplace_back("scene", 0);
-    gltf.emplace_back("scenes", Value::Array{Value::Object{{"nodes", Value::Array{0}}}});
-    gltf.emplace_back("nodes", Value::Array{Value::Object{{"name", model.name}, {"mesh", 0}}});
-    gltf.emplace_back("meshes", Value::Array{std::move(meshes)});
-    addList(gltf, "materials", std::move(materials));
-    addList(gltf, "textures", std::move(writer.textures));
-    addList(gltf, "samplers", std::move(writer.samplers));
-    addList(gltf, "images", *imageList->asArray());
-    addList(gltf, "accessors", std::move(buffer.accessors));
-    addList(gltf, "bufferViews", std::move(buffer.views));
-    gltf.emplace_back("buffers", Value::Array{Value::Object{{"byteLength", std::uint64_t(buffer.bytes.size())}}});
-
-    return glbOf(gltf, std::move(buffer.bytes));
+Result<std::string> encodeGlb(const Model& model)
+{
+    GltfDocument document;
+    const Result<int> mesh = document.addMesh(model);
+    if (!mesh) return mesh.error();
+    document.nodes.push_back(Value::Object{{"name", model.name}, {"mesh", *mesh}});
+    const Value text = document.text({0});
+    return glbOf(text, std::move(document.buffer.bytes));
 }
 
 } // namespace io

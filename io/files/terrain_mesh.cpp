@@ -1,9 +1,6 @@
-// The ground as a glTF mesh.
-#include "io/files/atomic_file.h"
-#include "io/files/file_names.h"
-#include "io/files/gltf_buffer.h"
+// The ground as nodes of a glTF document.
+#include "io/files/gltf_document.h"
 #include "io/files/height_export.h"
-#include "io/files/json.h"
 #include "io/scene/bounds.h"
 
 #include <algorithm>
@@ -33,13 +30,12 @@ struct Tile {
 
 class MeshWriter {
 public:
-    MeshWriter(const HeightMap& heights, const CoverMap* cover, int step)
-        : m_heights{heights}, m_cover{cover && cover->size() == heights.size ? cover : nullptr}, m_step{step}
+    MeshWriter(GltfDocument& document, const HeightMap& heights, const CoverMap* cover, int step)
+        : m_document{document}, m_heights{heights}, m_cover{cover && cover->size() == heights.size ? cover : nullptr}, m_step{step}
     {
     }
 
-    GltfBuffer buffer;
-    Value::Array meshes, nodes; // one of each a tile
+    Value::Array nodes; // numbers, one a tile
     std::uint64_t triangles = 0;
 
     void add(const Tile& tile)
@@ -53,18 +49,19 @@ public:
             bounds.add(at);
             return at;
         });
-        buffer.accessors.back()["min"] = numbers(bounds.min);
-        buffer.accessors.back()["max"] = numbers(bounds.max);
+        m_document.buffer.accessors.back()["min"] = numbers(bounds.min);
+        m_document.buffer.accessors.back()["max"] = numbers(bounds.max);
         attributes.emplace_back("POSITION", position);
         attributes.emplace_back("NORMAL", add<glm::vec3>(tile, "VEC3", [&](int x, int z) { return normalAt(x, z); }));
         attributes.emplace_back("TEXCOORD_0", add<glm::vec2>(tile, "VEC2", [&](int x, int z) {
                                     return glm::vec2{x, z} / glm::vec2{m_heights.size - 1};
                                 }));
         const std::string name = fmt::format("ground {} {}", tile.columns[0], tile.rows[0]);
-        meshes.push_back(Value::Object{{"name", name},
-                                       {"primitives", Value::Array{Value::Object{{"attributes", std::move(attributes)}, {"indices", indices}, {"material", 0}}}}});
+        m_document.meshes.push_back(Value::Object{{"name", name},
+                                       {"primitives", Value::Array{Value::Object{{"attributes", std::move(attributes)}, {"indices", indices}, {"material", int(m_document.materials.size())}}}}});
         const glm::dvec2 corner = m_heights.origin + glm::dvec2{tile.columns[0], tile.rows[0]} * m_heights.metresPerTexel;
-        nodes.push_back(Value::Object{{"name", name}, {"mesh", int(meshes.size()) - 1}, {"translation", Value::Array{corner.x, 0, corner.y}}});
+        nodes.push_back(int(m_document.nodes.size()));
+        m_document.nodes.push_back(Value::Object{{"name", name}, {"mesh", int(m_document.meshes.size()) - 1}, {"translation", Value::Array{corner.x, 0, corner.y}}});
     }
 
 private:
@@ -75,8 +72,8 @@ private:
         for (const int z : tile.rows)
             for (const int x : tile.columns)
                 values.push_back(at(x, z));
-        const int view = buffer.addView(values.data(), values.size() * sizeof(T), kVertexData);
-        return buffer.addAccessor(view, kFloat, 0, values.size(), type);
+        const int view = m_document.buffer.addView(values.data(), values.size() * sizeof(T), kVertexData);
+        return m_document.buffer.addAccessor(view, kFloat, 0, values.size(), type);
     }
 
     glm::vec3 normalAt(int x, int z) const
@@ -117,12 +114,13 @@ private:
         if (indices.empty()) return -1;
         const std::pair key{tile.columns.size(), tile.rows.size()};
         if (const auto known = m_indices.find(key); !holes && known != m_indices.end()) return known->second;
-        const int view = buffer.addView(indices.data(), indices.size() * sizeof indices[0], kIndexData);
-        const int accessor = buffer.addAccessor(view, kUnsignedInt, 0, indices.size(), "SCALAR");
+        const int view = m_document.buffer.addView(indices.data(), indices.size() * sizeof indices[0], kIndexData);
+        const int accessor = m_document.buffer.addAccessor(view, kUnsignedInt, 0, indices.size(), "SCALAR");
         if (!holes) m_indices[key] = accessor;
         return accessor;
     }
 
+    GltfDocument& m_document;
     const HeightMap& m_heights;
     const CoverMap* m_cover;
     int m_step;
@@ -136,81 +134,23 @@ Value materialOf(const Terrain& terrain)
                          {"pbrMetallicRoughness", Value::Object{{"baseColorFactor", numbers(glm::vec4{colour, 1})}, {"metallicFactor", 0}, {"roughnessFactor", 0.95}}}};
 }
 
-Value gltfOf(MeshWriter& writer, const Terrain& terrain, Value buffer)
-{
-    Value::Array children;
-    for (std::size_t i = 0; i < writer.nodes.size(); ++i)
-        children.push_back(int(i));
-    const int root = int(writer.nodes.size());
-    writer.nodes.push_back(Value::Object{{"name", "terrain"}, {"children", std::move(children)}});
-    return Value::Object{{"asset", Value::Object{{"version", "2.0"}, {"generator", "Wold"}}},
-                         {"scene", 0},
-                         {"scenes", Value::Array{Value::Object{{"nodes", Value::Array{root}}}}},
-                         {"nodes", std::move(writer.nodes)},
-                         {"meshes", std::move(writer.meshes)},
-                         {"materials", Value::Array{materialOf(terrain)}},
-                         {"accessors", std::move(writer.buffer.accessors)},
-                         {"bufferViews", std::move(writer.buffer.views)},
-                         {"buffers", Value::Array{std::move(buffer)}}};
-}
-
-// A file name as part of a URI (RFC 3986).
-std::string uriOf(const std::string& name)
-{
-    std::string uri;
-    for (const char c : name) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.' || c == '~';
-        uri += plain ? std::string{c} : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    }
-    return uri;
-}
-
 } // namespace
 
-std::uint64_t meshTriangles(glm::ivec2 size, int step)
+GroundNodes addGround(GltfDocument& document, const HeightMap& heights, const CoverMap* cover, const Terrain& terrain, int step)
 {
-    const auto squares = [&](int texels) { return std::uint64_t(texels - 2) / std::uint64_t(step) + 1; };
-    return squares(size.x) * squares(size.y) * 2;
-}
-
-int meshStep(glm::ivec2 size, std::uint64_t triangles)
-{
-    int step = 1;
-    while (meshTriangles(size, step) > triangles)
-        step *= 2;
-    return step;
-}
-
-Result<MeshExport> exportTerrainMesh(const fs::path& file, const HeightMap& heights, const CoverMap* cover, const Terrain& terrain, int step)
-{
-    if (!exportsMesh(file)) return Error{file.string(), "the ground's mesh is written as .glb or .gltf"};
-    if (meshTriangles(heights.size, step) > kMostTriangles)
-        return Error{file.string(), fmt::format("{} triangles are too many for one file; ask for a step of {} texels or more", meshTriangles(heights.size, step),
-                                                meshStep(heights.size, kMostTriangles))};
     const std::vector<int> columns = lines(heights.size.x, step), rows = lines(heights.size.y, step);
-    MeshWriter writer{heights, cover, step};
+    MeshWriter writer{document, heights, cover, step};
     const auto part = [](const std::vector<int>& all, std::size_t first) {
         return std::span{all}.subspan(first, std::min<std::size_t>(kTileSquares + 1, all.size() - first));
     };
     for (std::size_t z = 0; z + 1 < rows.size(); z += kTileSquares)
         for (std::size_t x = 0; x + 1 < columns.size(); x += kTileSquares)
             writer.add({part(columns, x), part(rows, z)});
-    if (writer.meshes.empty()) return Error{file.string(), "all of the ground is a hole; there is nothing to write"};
-
-    MeshExport done{.written = {file}, .step = step, .tiles = int(writer.meshes.size()), .triangles = writer.triangles};
-    std::string bytes = std::move(writer.buffer.bytes);
-    Value buffer = Value::Object{{"byteLength", std::uint64_t(bytes.size())}};
-    if (lowerExtension(file) == ".glb") {
-        const Status written = writeFile(file, glbOf(gltfOf(writer, terrain, std::move(buffer)), std::move(bytes)));
-        return written ? Result<MeshExport>{std::move(done)} : Result<MeshExport>{written.error()};
-    }
-    fs::path beside = file;
-    beside.replace_extension(".bin");
-    buffer["uri"] = uriOf(beside.filename().string());
-    if (const Status written = writeFile(beside, bytes); !written) return written.error();
-    if (const Status written = writeFile(file, writeJson(gltfOf(writer, terrain, std::move(buffer))) + "\n"); !written) return written.error();
-    done.written.push_back(beside);
-    return done;
+    if (writer.nodes.empty()) return {};
+    document.materials.push_back(materialOf(terrain));
+    const GroundNodes made{.root = int(document.nodes.size()), .tiles = int(writer.nodes.size()), .triangles = writer.triangles};
+    document.nodes.push_back(Value::Object{{"name", "terrain"}, {"children", std::move(writer.nodes)}});
+    return made;
 }
 
 } // namespace io

@@ -80,7 +80,6 @@ TEST_F(Exchange, badWordsAreMisuse)
     expectMisuse(wold({"import", project, file, "--sample", "u17"}), "u8 u16 i16 f32");
     expectMisuse(wold({"import", project, file, "--as", "song"}), "heights model texture sound");
     expectMisuse(wold({"export", project, "--out", folder / "a.doc"}), ".png");
-    expectMisuse(wold({"export", project, "--out", folder / "a.glb"}), "--only terrain");
     expectMisuse(wold({"export", project, "--out", folder / "a.png", "--step", "2"}), "--step");
     expectMisuse(wold({"export", project, "--out", folder / "a.glb", "--only", "trees"}), "terrain");
 }
@@ -116,6 +115,29 @@ TEST_F(Exchange, theGroundAsAMesh)
     ASSERT_TRUE(model) << model.error().text();
     EXPECT_EQ(model->indices.size(), 32u * 32 * 6);
     EXPECT_TRUE(complaints.empty());
+}
+
+TEST_F(Exchange, theWholeWorldAsOneFile)
+{
+    for (const char* name : {"w.glb", "w.gltf"}) {
+        const Ran out = wold({"export", project, "--out", folder / name, "--quiet", "--json", "-"});
+        ASSERT_EQ(out.code, 0) << out.err;
+        const io::Value done = json(out.out);
+        EXPECT_EQ(number(done, "models"), 1);
+        EXPECT_EQ(number(done, "instances"), 5);
+        EXPECT_EQ(number(done, "left_out"), 1); // the post
+        io::Complaints complaints;
+        const auto model = io::readModel(folder / name, folder.path(), complaints);
+        ASSERT_TRUE(model) << model.error().text();
+        EXPECT_TRUE(complaints.empty());
+        EXPECT_EQ(model->indices.size(), (64u * 64 * 2 + 5 * 12) * 3);
+        // Crates of 2 m stand at x = -8, -4, 0, 4 and 8.
+        for (const float x : {-9.f, -7.f, -1.f, 7.f, 9.f})
+            EXPECT_TRUE(std::ranges::any_of(model->vertices, [x](const io::Vertex& v) { return v.position.x == x && std::abs(v.position.z) == 1; })) << x;
+    }
+    const std::string once = textOf(folder / "w.glb");
+    ASSERT_EQ(wold({"export", project, "--out", folder / "w.glb", "--quiet"}).code, 0);
+    EXPECT_EQ(textOf(folder / "w.glb"), once);
 }
 
 TEST_F(Exchange, modelsPicturesAndSoundsFindTheirFolders)

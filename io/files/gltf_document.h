@@ -1,10 +1,16 @@
-// What writers of glTF share: the binary buffer with the views and accessors into it, and the container.
+// What writers of glTF share: the lists of a document, the binary buffer with the views and accessors into it, the container.
 #pragma once
 
+#include "io/base/result.h"
 #include "io/base/value.h"
+#include "io/scene/cover_map.h"
 #include "io/scene/field_words.h"
+#include "io/scene/height_map.h"
+#include "io/scene/model.h"
 
+#include <map>
 #include <string>
+#include <vector>
 
 namespace io {
 
@@ -48,7 +54,26 @@ struct GltfBuffer {
     }
 };
 
+// The lists of one file. Models that hold the same image share it.
+struct GltfDocument {
+    GltfBuffer buffer;
+    Value::Array nodes, meshes, materials, textures, samplers, images;
+    std::map<const Image*, int> imageNumbers;
+    bool usesTransform = false, usesUnlit = false, usesInstances = false;
+
+    Result<int> addMesh(const Model& model); // its number; without levels of detail, images as PNG
+    // The text, whose scene is these nodes. The buffer's bytes are taken out by the caller; `uri` names them, in a .glb it is empty.
+    Value text(const std::vector<int>& roots, const std::string& uri = {});
+};
+
 // Binary glTF of the text and its one buffer (Khronos, section 4.4).
 std::string glbOf(const Value& gltf, std::string bytes);
+
+// The ground as nodes of a document under one, whose number comes back; -1 where all of it is a hole.
+struct GroundNodes {
+    int root = -1, tiles = 0;
+    std::uint64_t triangles = 0;
+};
+GroundNodes addGround(GltfDocument& document, const HeightMap& heights, const CoverMap* cover, const Terrain& terrain, int step);
 
 } // namespace io
