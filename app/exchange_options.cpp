@@ -51,13 +51,19 @@ void add(CLI::App& app, const char* name, const char* type, const char* help, st
 void addImport(CLI::App& app, Options& o)
 {
     Exchange& e = o.exchange;
-    app.add_option("FILE", e.files, "height map, model, picture or sound")->required()->expected(-1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_option("FILE", e.files, "height map, model, picture or sound")
+        ->required()
+        ->expected(-1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     add(app, "--as", "KIND", "what the files are: heights model texture sound (default: as they look)",
         [&e](const std::string& text) { e.as = named<io::AssetKind>("--as", text); });
-    add(app, "--size", "WxH", "texels of bare samples (default: guessed from the number of bytes)", [&e](const std::string& text) { e.layout.size = texelsFrom(text); });
-    add(app, "--sample", "TYPE", "of bare samples: u8 u16 i16 f32", [&e](const std::string& text) { e.layout.sample = named<io::HeightSample>("--sample", text); });
+    add(app, "--size", "WxH", "texels of bare samples (default: guessed from the number of bytes)",
+        [&e](const std::string& text) { e.layout.size = texelsFrom(text); });
+    add(app, "--sample", "TYPE", "of bare samples: u8 u16 i16 f32",
+        [&e](const std::string& text) { e.layout.sample = named<io::HeightSample>("--sample", text); });
     app.add_flag_callback("--big-endian", [&e] { e.layout.bigEndian = true; }, "byte order of bare samples (default: little endian)");
-    add(app, "--metres-per-texel", "M", "how far the texels of a height map lie apart", [&e](const std::string& text) { e.measures.metresPerTexel = metresFrom(text); });
+    add(app, "--metres-per-texel", "M", "how far the texels of a height map lie apart",
+        [&e](const std::string& text) { e.measures.metresPerTexel = metresFrom(text); });
     add(app, "--heights", "LOW,HIGH", "metres of the lowest and highest value that its samples can have",
         [&e](const std::string& text) { e.measures.heights = heightsFrom(text); });
     app.add_flag("--force", e.force, "put it in place of a ground of another size or other measures");
@@ -74,7 +80,8 @@ void addExport(CLI::App& app, Options& o)
     });
     add(app, "--step", "N", "texels from vertex to vertex of the ground (default: what makes at most two million triangles)", [&e](const std::string& text) {
         const auto step = toNumber<int>(text);
-        if (!step || *step < 1 || *step > io::kGroundLimits.side) throw wrong("--step", text, fmt::format("write a whole number from 1 to {}", io::kGroundLimits.side));
+        if (!step || *step < 1 || *step > io::kGroundLimits.side)
+            throw wrong("--step", text, fmt::format("write a whole number from 1 to {}", io::kGroundLimits.side));
         e.step = *step;
     });
     app.add_option("--scene", o.scene, "scene to export (default: the start scene)")->type_name("NAME");

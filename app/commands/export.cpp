@@ -28,7 +28,8 @@ std::string inWords(const io::Value& done)
     words += fmt::format(": {} texels, {:.6g} m apart", numbersOf(*done.find("size"), " x "), *done.find("metres_per_texel")->asNumber());
     if (const io::Value* heights = done.find("heights")) words += ", 16 bits from " + numbersOf(*heights, " to ") + " m";
     if (const io::Value* triangles = done.find("triangles"))
-        words += fmt::format(", {:.0f} triangles in {:.0f} tiles, a vertex every {:.0f} texels", *triangles->asNumber(), *done.find("tiles")->asNumber(), *done.find("step")->asNumber());
+        words += fmt::format(", {:.0f} triangles in {:.0f} tiles, a vertex every {:.0f} texels", *triangles->asNumber(),
+                             *done.find("tiles")->asNumber(), *done.find("step")->asNumber());
     return words;
 }
 
@@ -57,7 +58,8 @@ int exportFile(const Options& options)
 {
     const bool mesh = io::exportsMesh(options.out);
     if (!mesh && !io::exportsHeights(options.out))
-        return misuse(fmt::format("--out {}: a world, or its ground's mesh (--only terrain), is written as .glb or .gltf, heights as .png, .r16, .exr, .tif or .r32", options.out.string()));
+        return misuse(fmt::format("--out {}: a world, or its ground's mesh (--only terrain), is written as .glb or .gltf, heights as .png, "
+                                  ".r16, .exr, .tif or .r32", options.out.string()));
     if (!mesh && options.exchange.step > 0) return misuse("--step goes with .glb and .gltf");
     auto opened = openAsAsked(options);
     if (const int* code = std::get_if<int>(&opened)) return *code;

@@ -32,7 +32,8 @@ io::Result<std::vector<Import>> lookAt(const Exchange& exchange, const fs::path&
     io::Complaints complaints;
     for (const fs::path& file : exchange.files) {
         const bool alone = exchange.files.size() == 1 && saysOfHeights(exchange);
-        const io::Result<io::AssetKind> kind = exchange.as ? io::Result<io::AssetKind>{*exchange.as} : alone ? io::Result<io::AssetKind>{io::AssetKind::HeightMap} : io::assetKind(file);
+        using Kind = io::Result<io::AssetKind>;
+        const Kind kind = exchange.as ? Kind{*exchange.as} : alone ? Kind{io::AssetKind::HeightMap} : io::assetKind(file);
         if (!kind) return kind.error();
         Import import{.file = file, .kind = *kind};
         if (*kind != io::AssetKind::HeightMap) {
@@ -70,8 +71,10 @@ void say(const std::string& line, bool quiet)
 
 std::string inWords(const editor::HeightImportReport& r)
 {
-    std::string words = fmt::format("{}: {} x {} texels, {:.6g} m apart ({}), {:.6g} to {:.6g} m ({})", r.heightMap, r.size.x, r.size.y, r.ground.grid.metresPerTexel,
-                                    io::nameOf(r.ground.metresFrom), r.ground.minHeight, r.ground.maxHeight, io::nameOf(r.ground.heightsFrom));
+    const io::ImportedGround& ground = r.ground;
+    std::string words = fmt::format("{}: {} x {} texels, {:.6g} m apart ({}), {:.6g} to {:.6g} m ({})", r.heightMap, r.size.x, r.size.y,
+                                    ground.grid.metresPerTexel, io::nameOf(ground.metresFrom), ground.minHeight, ground.maxHeight,
+                                    io::nameOf(ground.heightsFrom));
     if (r.voids > 0) words += fmt::format(", {} voids filled", r.voids);
     if (!r.differences.empty()) words += "; in place of the ground that was there: " + editor::inWords(r.differences);
     return words;

@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFrom[] = {"heights.from_given", "heights.from_file", "heights.from_sidecar", "heights.from_name", "heights.from_ground", "heights.from_values", "heights.from_usual"};
+constexpr const char* kFrom[] = {"heights.from_given",  "heights.from_file",   "heights.from_sidecar", "heights.from_name",
+                                 "heights.from_ground", "heights.from_values", "heights.from_usual"};
 constexpr const char* kDiffers[] = {"heights.differs_size", "heights.differs_metres", "heights.differs_heights", "heights.differs_cover"};
 
 struct Format {
@@ -117,9 +118,12 @@ void HeightImportForm::layoutFields()
     ui::propertyLabel(tr("heights.size"));
     const float width = (ImGui::GetContentRegionAvail().x - 8) / 2;
     const double most = io::kGroundLimits.side;
-    bool changed = ui::number({.id = "##width", .label = tr("heights.width"), .min = 2, .max = most, .speed = 1, .decimals = 0, .width = width}, size.x);
+    const auto side = [&](const char* id, const char* label, double& texels) {
+        return ui::number({.id = id, .label = label, .min = 2, .max = most, .speed = 1, .decimals = 0, .width = width}, texels);
+    };
+    bool changed = side("##width", tr("heights.width"), size.x);
     ImGui::SameLine(0, 8);
-    changed |= ui::number({.id = "##height", .label = tr("heights.height"), .min = 2, .max = most, .speed = 1, .decimals = 0, .width = width}, size.y);
+    changed |= side("##height", tr("heights.height"), size.y);
     if (changed) m_layout.size = glm::ivec2{glm::round(size)};
 
     const std::vector<std::string> samples{tr("heights.u8"), tr("heights.u16"), tr("heights.i16"), tr("heights.f32")};
@@ -149,7 +153,8 @@ void HeightImportForm::measureFields()
     if (measured("##metres", tr("heights.metres"), "m", 0.001, 10000, m_plan->metresFrom, metres)) m_measures.metresPerTexel = metres;
     const bool canScale = m_source->sample == io::HeightSample::F32 && m_source->lowest >= 0 && m_source->highest <= 1;
     bool scaled = m_plan->scaled;
-    if (canScale && ui::checkbox("shares", tr("heights.shares"), scaled)) m_measures.heights = scaled ? std::optional{glm::dvec2{0, 100}} : std::nullopt;
+    if (canScale && ui::checkbox("shares", tr("heights.shares"), scaled))
+        m_measures.heights = scaled ? std::optional{glm::dvec2{0, 100}} : std::nullopt;
     if (!m_plan->scaled) return;
     glm::dvec2 heights = m_plan->scaledFrom;
     const bool low = measured("##low", tr("heights.lowest"), "m", -1e5, 1e5, m_plan->heightsFrom, heights.x);

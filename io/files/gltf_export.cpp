@@ -21,7 +21,8 @@ std::string uriOf(const std::string& name)
 {
     std::string uri;
     for (const char c : name) {
-        const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.' || c == '~';
+        const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        const bool plain = letter || c == '-' || c == '_' || c == '.' || c == '~';
         uri += plain ? std::string{c} : fmt::format("%{:02X}", static_cast<unsigned char>(c));
     }
     return uri;
@@ -30,7 +31,8 @@ std::string uriOf(const std::string& name)
 // .glb, or .gltf with a .bin beside it. Answers what was written.
 Result<std::vector<fs::path>> write(const fs::path& file, GltfDocument& document, const std::vector<int>& roots)
 {
-    if (document.buffer.bytes.size() > kLargestFile) return Error{file.string(), "more than 4 GiB do not fit in one glTF file; ask for a larger step of the ground"};
+    if (document.buffer.bytes.size() > kLargestFile)
+        return Error{file.string(), "more than 4 GiB do not fit in one glTF file; ask for a larger step of the ground"};
     if (lowerExtension(file) == ".glb") {
         const Value text = document.text(roots);
         if (const Status written = writeFile(file, glbOf(text, std::move(document.buffer.bytes))); !written) return written.error();
@@ -52,8 +54,8 @@ std::uint64_t squares(int texels, int step)
 Status checkGround(const fs::path& file, glm::ivec2 size, int step)
 {
     if (meshTriangles(size, step) <= kMostTriangles) return {};
-    return Error{file.string(), fmt::format("{} triangles of the ground are too many for one file; ask for a step of {} texels or more", meshTriangles(size, step),
-                                            meshStep(size, kMostTriangles))};
+    return Error{file.string(), fmt::format("{} triangles of the ground are too many for one file; ask for a step of {} texels or more",
+                                            meshTriangles(size, step), meshStep(size, kMostTriangles))};
 }
 
 template <class T> int addValues(GltfBuffer& buffer, const std::vector<T>& values, const char* type)
@@ -77,7 +79,8 @@ Value nodeOf(GltfDocument& document, const std::string& name, int mesh, const st
         scales.push_back(copy->transform.scale);
     }
     document.usesInstances = true;
-    const int place = addValues(document.buffer, places, "VEC3"), turn = addValues(document.buffer, turns, "VEC4"), scale = addValues(document.buffer, scales, "VEC3");
+    const int place = addValues(document.buffer, places, "VEC3"), turn = addValues(document.buffer, turns, "VEC4");
+    const int scale = addValues(document.buffer, scales, "VEC3");
     const Value attributes = Value::Object{{"TRANSLATION", place}, {"ROTATION", turn}, {"SCALE", scale}};
     return Value::Object{{"name", name},
                          {"mesh", mesh},

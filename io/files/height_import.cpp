@@ -25,6 +25,11 @@ void warn(Complaints& complaints, const fs::path& file, std::string what)
     complaints.push_back({Severity::Warning, file.string(), std::move(what)});
 }
 
+std::string sizeText(glm::ivec2 size)
+{
+    return fmt::format("{} x {}", size.x, size.y);
+}
+
 template <class T> bool grey(const Image& image)
 {
     for (int z = 0; z < image.size.y; ++z) {
@@ -38,7 +43,8 @@ template <class T> bool grey(const Image& image)
 bool grey(const Image& image)
 {
     if (image.channels < 3) return true; // the second one is alpha
-    return image.type == PixelType::U8 ? grey<std::uint8_t>(image) : image.type == PixelType::U16 ? grey<std::uint16_t>(image) : grey<float>(image);
+    if (image.type == PixelType::U8) return grey<std::uint8_t>(image);
+    return image.type == PixelType::U16 ? grey<std::uint16_t>(image) : grey<float>(image);
 }
 
 template <class T> std::vector<float> firstChannel(const Image& image)
@@ -72,28 +78,33 @@ std::optional<double> worldFileMetres(const fs::path& file)
     return std::isfinite(metres) && metres > 0 ? std::optional{metres} : std::nullopt;
 }
 
-Status fromImage(HeightSource& source, std::string_view bytes, const RawLayout& layout, std::optional<double>& nodata, Complaints& complaints)
+Status fromImage(HeightSource& source, std::string_view bytes, const RawLayout& layout, std::optional<double>& nodata,
+                 Complaints& complaints)
 {
     const std::string where = source.file.string();
     const Result<Image> image = decodeImage(bytes, where, kGroundLimits);
     if (!image) return image.error();
     if (layout.size && *layout.size != image->size)
-        return Error{where, fmt::format("has {} x {} pixels, not {} x {}; leave the size out, an image has its own", image->size.x, image->size.y,
-                                        layout.size->x, layout.size->y)};
+        return Error{where, fmt::format("has {} pixels, not {}; leave the size out, an image has its own", sizeText(image->size),
+                                        sizeText(*layout.size))};
     if (!grey(*image))
-        return Error{where, fmt::format("a picture of {} channels that differ is no height map; save it as grey, best with 16 bits", image->channels)};
+        return Error{where, fmt::format("a picture of {} channels that differ is no height map; save it as grey, best with 16 bits",
+                                        image->channels)};
     source.size = image->size;
     source.metres = image->type == PixelType::F32;
     source.full = image->type == PixelType::U8 ? 255 : 65535;
     source.sample = image->type == PixelType::U8 ? HeightSample::U8 : source.metres ? HeightSample::F32 : HeightSample::U16;
-    source.values = source.metres ? firstChannel<float>(*image) : source.full == 255 ? firstChannel<std::uint8_t>(*image) : firstChannel<std::uint16_t>(*image);
+    source.values = source.metres        ? firstChannel<float>(*image)
+                    : source.full == 255 ? firstChannel<std::uint8_t>(*image)
+                                         : firstChannel<std::uint16_t>(*image);
 
     const GeoTiff geo = geoTiffOf(bytes);
     nodata = geo.nodata;
     source.metresPerTexel = geo.metresPerTexel;
     if (geo.stretch > 1.02 || geo.stretch < 0.98)
-        warn(complaints, source.file, fmt::format("its pixels are not square ({:.2f} times as long from north to south as wide); the area is kept, for the shape "
-                                                  "warp it to metres in a GIS", geo.stretch));
+        warn(complaints, source.file,
+             fmt::format("its pixels are not square ({:.2f} times as long from north to south as wide); the area is kept, for the "
+                         "shape warp it to metres in a GIS", geo.stretch));
     if (!source.metresPerTexel && (source.metresPerTexel = worldFileMetres(source.file))) source.metresFrom = KnownFrom::Sidecar;
     return {};
 }
@@ -106,11 +117,13 @@ void measureHgt(HeightSource& source, const Hgt& hgt, Complaints& complaints)
     if (!hgt.latitude)
         warn(complaints, source.file, "its name tells no latitude (as N46E008.hgt does); texels are measured as at the equator");
     else if (degree.north / degree.east > 1.02)
-        warn(complaints, source.file, fmt::format("its texels are {:.1f} x {:.1f} m there; the area is kept, for the shape warp it to metres in a GIS",
-                                                  degree.east * hgt.arcSeconds / 3600, degree.north * hgt.arcSeconds / 3600));
+        warn(complaints, source.file,
+             fmt::format("its texels are {:.1f} x {:.1f} m there; the area is kept, for the shape warp it to metres in a GIS",
+                         degree.east * hgt.arcSeconds / 3600, degree.north * hgt.arcSeconds / 3600));
 }
 
-Status fromRaw(HeightSource& source, std::string_view bytes, RawLayout layout, std::optional<double>& nodata, Complaints& complaints)
+Status fromRaw(HeightSource& source, std::string_view bytes, RawLayout layout, std::optional<double>& nodata,
+               Complaints& complaints)
 {
     RawHeader header;
     const bool hgt = isHgt(source.file);
@@ -126,7 +139,10 @@ Status fromRaw(HeightSource& source, std::string_view bytes, RawLayout layout, s
         source.heights = header.heights;
         nodata = header.nodata;
     }
-    source.sizeFrom = hgt ? KnownFrom::File : layout.size ? KnownFrom::Given : header.layout.size ? KnownFrom::Sidecar : KnownFrom::Values;
+    source.sizeFrom = hgt                  ? KnownFrom::File
+                      : layout.size        ? KnownFrom::Given
+                      : header.layout.size ? KnownFrom::Sidecar
+                                           : KnownFrom::Values;
     if (!layout.size) layout.size = header.layout.size;
     if (!layout.sample) layout.sample = header.layout.sample;
     if (!layout.bigEndian) layout.bigEndian = header.layout.bigEndian;
@@ -145,11 +161,6 @@ Status fromRaw(HeightSource& source, std::string_view bytes, RawLayout layout, s
 bool sharesOfOne(const HeightSource& source)
 {
     return source.metres && source.sample == HeightSample::F32 && source.lowest >= 0 && source.highest <= 1;
-}
-
-std::string sizeText(glm::ivec2 size)
-{
-    return fmt::format("{} x {}", size.x, size.y);
 }
 
 // The heights of the lowest and highest value where nobody said them.
@@ -182,17 +193,19 @@ Result<HeightSource> readHeightSource(const fs::path& file, const RawLayout& lay
     if (!bytes) return bytes.error();
     HeightSource source{.file = file};
     std::optional<double> nodata;
-    const Status read = holdsRawSamples(file) ? fromRaw(source, *bytes, layout, nodata, complaints) : fromImage(source, *bytes, layout, nodata, complaints);
+    const Status read = holdsRawSamples(file) ? fromRaw(source, *bytes, layout, nodata, complaints)
+                                              : fromImage(source, *bytes, layout, nodata, complaints);
     if (!read) return read.error();
-    if (source.size.x < 2 || source.size.y < 2) return Error{where, "a height map needs at least 2 x 2 texels; this one has " + sizeText(source.size)};
+    if (source.size.x < 2 || source.size.y < 2)
+        return Error{where, "a height map needs at least 2 x 2 texels; this one has " + sizeText(source.size)};
     for (float& value : source.values)
         if ((source.metres && marksVoid(value)) || (nodata && value == float(*nodata))) value = kVoid;
     const auto filled = fillVoids(source.size, source.values);
     if (!filled) return Error{where, "a height map without a single height: all of its values are NaN, infinite or marks of missing data"};
     source.voids = *filled;
     if (source.voids > source.values.size() / 20 * 19)
-        return Error{where, fmt::format("{} of {} heights are missing or beyond 100 km; it is no height map in metres, export it with 16 bits or as floats", source.voids,
-                                        source.values.size())};
+        return Error{where, fmt::format("{} of {} heights are missing or beyond 100 km; it is no height map in metres, export it with "
+                                        "16 bits or as floats", source.voids, source.values.size())};
     std::tie(source.lowest, source.highest) = std::pair{std::ranges::min(source.values), std::ranges::max(source.values)};
     if (source.voids > 0)
         warn(complaints, file, fmt::format("{} heights are missing ({:.2g} % of all); filled from their neighbours", source.voids,
@@ -227,7 +240,8 @@ Status checkMeasures(const HeightSource& source, double metresPerTexel, const st
     if (!(metresPerTexel >= metres.min && metresPerTexel <= metres.max))
         return Error{where, fmt::format("{} metres per texel; say {} to {}", metresPerTexel, metres.min, metres.max)};
     if (heights && !(heights->x < heights->y && heights->x >= height.min && heights->y <= height.max))
-        return Error{where, fmt::format("heights from {} to {} m; say the lower one first, and both within {} m", heights->x, heights->y, height.max)};
+        return Error{where, fmt::format("heights from {} to {} m; say the lower one first, and both within {} m", heights->x, heights->y,
+                                        height.max)};
     return {};
 }
 
@@ -251,16 +265,21 @@ Result<ImportedGround> planGround(const HeightSource& source, const HeightMeasur
     const bool there = scene.heights() != nullptr;
     grid.size = source.size;
     grid.metresPerTexel = measures.metresPerTexel.value_or(source.metresPerTexel.value_or(there ? scene.terrain().metresPerTexel : 1));
-    ground.metresFrom = measures.metresPerTexel ? KnownFrom::Given : source.metresPerTexel ? source.metresFrom : there ? KnownFrom::Ground : KnownFrom::Usual;
+    ground.metresFrom = measures.metresPerTexel ? KnownFrom::Given
+                        : source.metresPerTexel ? source.metresFrom
+                        : there                 ? KnownFrom::Ground
+                                                : KnownFrom::Usual;
     if (const Status sound = checkMeasures(source, grid.metresPerTexel, measures.heights); !sound) return sound.error();
     const bool inPlace = there && scene.heights()->size == source.size && scene.terrain().metresPerTexel == grid.metresPerTexel;
     grid.origin = inPlace ? scene.terrain().origin : -glm::dvec2{source.size - 1} * grid.metresPerTexel / 2.0;
 
     if (source.metres && measures.heights && !sharesOfOne(source))
-        return Error{source.file.string(), fmt::format("its values, {} to {}, are metres already; leave the heights out", source.lowest, source.highest)};
+        return Error{source.file.string(),
+                     fmt::format("its values, {} to {}, are metres already; leave the heights out", source.lowest, source.highest)};
     if (source.metres && !measures.heights) {
         if (sharesOfOne(source) && source.lowest < source.highest)
-            warn(complaints, source.file, "all its heights lie between 0 and 1 m; if these are shares of a height, say the heights of 0 and 1");
+            warn(complaints, source.file,
+                 "all its heights lie between 0 and 1 m; if these are shares of a height, say the heights of 0 and 1");
         ground.heightsFrom = KnownFrom::File;
     } else {
         ground.heightsFrom = measures.heights ? KnownFrom::Given : KnownFrom::Sidecar;

@@ -38,9 +38,9 @@ struct HeightSource {
     std::optional<glm::dvec2> heights; // m, of 0 and `full`, as a file beside it says
 };
 
-// PNG, JPEG, TIFF, GeoTIFF, EXR, HDR, DDS; .hgt; bare samples. A picture whose channels differ is refused, as is one without a single
-// height; voids (io/files/height_voids.h, and what the file marks so) are filled and counted in a complaint (more than 19 of 20 are an error). 2 to 16385
-// texels a side. `layout` is for bare samples; a size that an image does not have is an error.
+// PNG, JPEG, TIFF, GeoTIFF, EXR, HDR, DDS; .hgt; bare samples. 2 to 16385 texels a side. A picture whose channels differ is refused.
+// Voids (io/files/height_voids.h, and what the file marks so) are filled and counted in a complaint; more than 19 of 20 are an
+// error. `layout` is for bare samples; a size that an image does not have is an error.
 Result<HeightSource> readHeightSource(const std::filesystem::path& file, const RawLayout& layout, Complaints& complaints);
 
 // What a person says of it; the rest is taken from the file, then from the ground that is there, then guessed.

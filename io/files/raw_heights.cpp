@@ -101,7 +101,8 @@ bool guess(RawSamples& raw, const RawLayout& layout, std::string_view bytes)
     if (layout.size) {
         raw.size = *layout.size;
         const std::size_t count = std::size_t(raw.size.x) * std::size_t(raw.size.y);
-        if (!layout.sample) raw.sample = bytes.size() == count * 4 ? HeightSample::F32 : bytes.size() == count ? HeightSample::U8 : HeightSample::U16;
+        if (!layout.sample)
+            raw.sample = bytes.size() == count * 4 ? HeightSample::F32 : bytes.size() == count ? HeightSample::U8 : HeightSample::U16;
         return count * std::size_t(bytesOf(raw.sample)) == bytes.size();
     }
     raw.sizeGuessed = true;
@@ -152,9 +153,10 @@ std::string rawHeaderText(glm::ivec2 size, HeightSample sample, double metresPer
 {
     // World z grows to the south, a map's y to the north.
     const std::string heightsLine = heights ? fmt::format("HEIGHTS {} {}\n", heights->x, heights->y) : "";
-    return fmt::format("BYTEORDER I\nLAYOUT BIL\nNROWS {}\nNCOLS {}\nNBANDS 1\nNBITS {}\nPIXELTYPE {}\nULXMAP {}\nULYMAP {}\nXDIM {}\nYDIM {}\n{}",
-                       size.y, size.x, bytesOf(sample) * 8, sample == HeightSample::F32 ? "FLOAT" : sample == HeightSample::I16 ? "SIGNEDINT" : "UNSIGNEDINT",
-                       origin.x, -origin.y, metresPerTexel, metresPerTexel, heightsLine);
+    const char* type = sample == HeightSample::F32 ? "FLOAT" : sample == HeightSample::I16 ? "SIGNEDINT" : "UNSIGNEDINT";
+    return fmt::format("BYTEORDER I\nLAYOUT BIL\nNROWS {}\nNCOLS {}\nNBANDS 1\nNBITS {}\nPIXELTYPE {}\nULXMAP {}\nULYMAP {}\nXDIM {}\n"
+                       "YDIM {}\n{}", size.y, size.x, bytesOf(sample) * 8, type, origin.x, -origin.y, metresPerTexel, metresPerTexel,
+                       heightsLine);
 }
 
 bool holdsRawSamples(const fs::path& file)
@@ -178,17 +180,19 @@ Result<RawSamples> readRawSamples(std::string_view bytes, const fs::path& file, 
         return Error{where, fmt::format("{} x {} texels; a side has 2 to {}", layout.size->x, layout.size->y, kGroundLimits.side)};
     if (!guess(raw, layout, bytes)) {
         if (layout.size)
-            return Error{where, fmt::format("{} bytes are not {} x {} samples of {} bits, which take {}; say another size or kind of sample", bytes.size(),
-                                            raw.size.x, raw.size.y, bytesOf(raw.sample) * 8,
+            return Error{where, fmt::format("{} bytes are not {} x {} samples of {} bits, which take {}; say another size or kind of "
+                                            "sample", bytes.size(), raw.size.x, raw.size.y, bytesOf(raw.sample) * 8,
                                             std::size_t(raw.size.x) * std::size_t(raw.size.y) * std::size_t(bytesOf(raw.sample)))};
-        return Error{where, fmt::format("{} bytes are no square of samples, so the size cannot be guessed; say it, as 1025x513, and the kind of sample", bytes.size())};
+        return Error{where, fmt::format("{} bytes are no square of samples, so the size cannot be guessed; say it, as 1025x513, and the "
+                                        "kind of sample", bytes.size())};
     }
     const std::size_t count = std::size_t(raw.size.x) * std::size_t(raw.size.y);
     raw.values.resize(count);
     for (std::size_t i = 0; i < count; ++i)
         raw.values[i] = valueAt(bytes, i, raw.sample, raw.bigEndian);
     if (!layout.bigEndian && bytesOf(raw.sample) == 2 && roughness(bytes, raw, false) > 4 * roughness(bytes, raw, true))
-        complaints.push_back({Severity::Warning, where, "would be far smoother in the other byte order; say that it is big endian if it comes out as noise"});
+        complaints.push_back({Severity::Warning, where,
+                              "would be far smoother in the other byte order; say that it is big endian if it comes out as noise"});
     return raw;
 }
 
@@ -196,8 +200,8 @@ Result<Hgt> hgtOf(std::size_t bytes, const fs::path& file)
 {
     const int side = bytes % 2 == 0 ? sideOf(bytes / 2) : 0;
     if (side != 1201 && side != 3601)
-        return Error{file.string(), fmt::format("{} bytes are no SRTM tile, which has 1201 x 1201 (2884802 bytes) or 3601 x 3601 samples (25934402 bytes); fetch it "
-                                                "again, or name it .raw and say its size", bytes)};
+        return Error{file.string(), fmt::format("{} bytes are no SRTM tile, which has 1201 x 1201 (2884802 bytes) or 3601 x 3601 samples "
+                                                "(25934402 bytes); fetch it again, or name it .raw and say its size", bytes)};
     Hgt hgt{.arcSeconds = side == 1201 ? 3.0 : 1.0};
     const std::string stem = lower(file.stem().string());
     if (stem.size() >= 7 && (stem[0] == 'n' || stem[0] == 's') && (stem[3] == 'e' || stem[3] == 'w'))

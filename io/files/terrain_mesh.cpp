@@ -45,7 +45,8 @@ public:
         Value::Object attributes;
         Box bounds;
         const int position = add<glm::vec3>(tile, "VEC3", [&](int x, int z) {
-            const glm::vec3 at{float((x - tile.columns[0]) * m_heights.metresPerTexel), m_heights.at(x, z), float((z - tile.rows[0]) * m_heights.metresPerTexel)};
+            const glm::dvec2 away = glm::dvec2{x - tile.columns[0], z - tile.rows[0]} * m_heights.metresPerTexel;
+            const glm::vec3 at{float(away.x), m_heights.at(x, z), float(away.y)};
             bounds.add(at);
             return at;
         });
@@ -57,11 +58,14 @@ public:
                                     return glm::vec2{x, z} / glm::vec2{m_heights.size - 1};
                                 }));
         const std::string name = fmt::format("ground {} {}", tile.columns[0], tile.rows[0]);
-        m_document.meshes.push_back(Value::Object{{"name", name},
-                                       {"primitives", Value::Array{Value::Object{{"attributes", std::move(attributes)}, {"indices", indices}, {"material", int(m_document.materials.size())}}}}});
+        const int material = int(m_document.materials.size()); // the next one, made when all tiles are
+        Value primitive = Value::Object{{"attributes", std::move(attributes)}, {"indices", indices}, {"material", material}};
+        m_document.meshes.push_back(Value::Object{{"name", name}, {"primitives", Value::Array{std::move(primitive)}}});
         const glm::dvec2 corner = m_heights.origin + glm::dvec2{tile.columns[0], tile.rows[0]} * m_heights.metresPerTexel;
         nodes.push_back(int(m_document.nodes.size()));
-        m_document.nodes.push_back(Value::Object{{"name", name}, {"mesh", int(m_document.meshes.size()) - 1}, {"translation", Value::Array{corner.x, 0, corner.y}}});
+        m_document.nodes.push_back(Value::Object{{"name", name},
+                                                 {"mesh", int(m_document.meshes.size()) - 1},
+                                                 {"translation", Value::Array{corner.x, 0, corner.y}}});
     }
 
 private:
@@ -130,8 +134,8 @@ private:
 Value materialOf(const Terrain& terrain)
 {
     const glm::vec3 colour = terrain.layers.empty() ? glm::vec3{0.5f} : glm::clamp(terrain.layers.front().colour, 0.0f, 1.0f);
-    return Value::Object{{"name", "Ground"},
-                         {"pbrMetallicRoughness", Value::Object{{"baseColorFactor", numbers(glm::vec4{colour, 1})}, {"metallicFactor", 0}, {"roughnessFactor", 0.95}}}};
+    Value surface = Value::Object{{"baseColorFactor", numbers(glm::vec4{colour, 1})}, {"metallicFactor", 0}, {"roughnessFactor", 0.95}};
+    return Value::Object{{"name", "Ground"}, {"pbrMetallicRoughness", std::move(surface)}};
 }
 
 } // namespace
