@@ -119,21 +119,27 @@ TEST_F(Exchange, theGroundAsAMesh)
 
 TEST_F(Exchange, theWholeWorldAsOneFile)
 {
+    const std::string sixth = R"({"do":"place","template":"crate","at":[20,3,10],"yaw":90,"scale":2})" "\n" R"({"do":"save"})" "\n";
+    ASSERT_EQ(wold({"run", project, "-", "--quiet"}, sixth).code, 0);
     for (const char* name : {"w.glb", "w.gltf"}) {
         const Ran out = wold({"export", project, "--out", folder / name, "--quiet", "--json", "-"});
         ASSERT_EQ(out.code, 0) << out.err;
         const io::Value done = json(out.out);
         EXPECT_EQ(number(done, "models"), 1);
-        EXPECT_EQ(number(done, "instances"), 5);
+        EXPECT_EQ(number(done, "instances"), 6);
         EXPECT_EQ(number(done, "left_out"), 1); // the post
         io::Complaints complaints;
         const auto model = io::readModel(folder / name, folder.path(), complaints);
         ASSERT_TRUE(model) << model.error().text();
         EXPECT_TRUE(complaints.empty());
-        EXPECT_EQ(model->indices.size(), (64u * 64 * 2 + 5 * 12) * 3);
-        // Crates of 2 m stand at x = -8, -4, 0, 4 and 8.
+        EXPECT_EQ(model->indices.size(), (64u * 64 * 2 + 6 * 12) * 3);
+        // Crates of 2 m stand at x = -8, -4, 0, 4 and 8, and one of 4 m at 20, 3, 10.
+        const auto corner = [&](const glm::vec3& at) {
+            return std::ranges::any_of(model->vertices, [&](const io::Vertex& v) { return glm::distance(v.position, at) < 1e-3f; });
+        };
         for (const float x : {-9.f, -7.f, -1.f, 7.f, 9.f})
-            EXPECT_TRUE(std::ranges::any_of(model->vertices, [x](const io::Vertex& v) { return v.position.x == x && std::abs(v.position.z) == 1; })) << x;
+            EXPECT_TRUE(corner({x, -1, 1}) || corner({x, 0, 1})) << x;
+        EXPECT_TRUE(corner({22, 5, 12}) || corner({22, 7, 12}));
     }
     const std::string once = textOf(folder / "w.glb");
     ASSERT_EQ(wold({"export", project, "--out", folder / "w.glb", "--quiet"}).code, 0);
