@@ -19,7 +19,7 @@ std::string sizeText(glm::ivec2 size)
 
 std::string rangeText(double low, double high)
 {
-    return fmt::format("{} to {} m", io::numberText(low), io::numberText(high));
+    return fmt::format("{} … {} m", io::numberText(low), io::numberText(high)); // of no language
 }
 
 bool near(double a, double b)

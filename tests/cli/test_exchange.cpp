@@ -47,7 +47,7 @@ TEST_F(Exchange, aHeightMapOfOtherMeasuresNeedsForce)
     const std::string before = scene(), file = heightMap("new.png", 33);
     const Ran refused = wold({"import", project, file, "--metres-per-texel", "2", "--heights", "-5,40"});
     expectFault(refused, "new.png");
-    EXPECT_NE(refused.lastError().find("33 x 33 texels, not 65 x 65; 2 m a texel, not 1; heights -5 to 40 m, not 0 to 12 m"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.lastError().find("33 x 33 texels, not 65 x 65; 2 m a texel, not 1; heights -5 … 40 m, not 0 … 12 m"), std::string::npos) << refused.err;
     EXPECT_NE(refused.lastError().find("--force"), std::string::npos);
     EXPECT_EQ(scene(), before);
     EXPECT_FALSE(fs::exists(project + "/terrain/new.png"));

@@ -91,7 +91,7 @@ TEST_F(GroundImport, WhatDoesNotFitChangesNothingUnlessForced)
     const std::string text = test::text(scene()), file = heightMap("new.png", {65, 65}, 0, 10);
     const auto refused = import(file, false, {.metresPerTexel = 2, .heights = glm::dvec2{-5, 20}});
     ASSERT_FALSE(refused);
-    for (const char* word : {"new.png", "65 x 65 texels, not 33 x 33", "2 m a texel, not 1", "heights -5 to 20 m, not 0 to 10 m", "nothing was changed", "force"})
+    for (const char* word : {"new.png", "65 x 65 texels, not 33 x 33", "2 m a texel, not 1", "heights -5 … 20 m, not 0 … 10 m", "nothing was changed", "force"})
         EXPECT_NE(refused.error().text().find(word), std::string::npos) << word << ": " << refused.error().text();
     EXPECT_EQ(scene().heights(), before);
     EXPECT_EQ(test::text(scene()), text);
