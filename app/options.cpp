@@ -1,9 +1,8 @@
-#include "app/options.h"
+#include "app/option_words.h"
 
 #include "app/text.h"
 #include "io/base/log.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
@@ -11,16 +10,11 @@
 namespace app {
 namespace {
 
-constexpr std::array<std::string_view, 8> kCommands{"edit", "render", "pick", "run", "bench", "check", "new", "info"};
-constexpr std::array<std::string_view, 4> kLater{"play", "import", "export", "merge"};
+constexpr std::array<std::string_view, 10> kCommands{"edit", "render", "pick", "run", "bench", "check", "new", "info", "import", "export"};
+constexpr std::array<std::string_view, 2> kLater{"play", "merge"};
 constexpr std::array<std::string_view, 5> kQualities{"auto", "low", "medium", "high", "ultra"};
 constexpr int kLargestSide = 16384;
 constexpr double kLargestPicture = 64e6; // pixels; the frame keeps about 50 bytes of each
-
-CLI::ValidationError wrong(std::string_view option, std::string_view value, std::string_view wanted)
-{
-    return CLI::ValidationError{fmt::format("{} {}: {}", option, value, wanted)};
-}
 
 glm::ivec2 sizeFrom(const std::string& text)
 {
@@ -245,6 +239,9 @@ void build(CLI::App& app, Options& o)
                 sub.add_option("--scene", to.scene, "scene of the project")->type_name("NAME");
                 sub.add_flag("--headless", to.headless, "ask the GL device without a display");
             });
+    const auto project = [](CLI::App& sub, Options& to) { addProject(sub, to, true); };
+    command(Command::Import, "bring height maps, models, pictures and sounds into a project", project, addImport);
+    command(Command::Export, "write a world, or its ground, for other programs", project, addExport);
 }
 
 // The first word that is neither an option nor an option's value.

@@ -1,6 +1,8 @@
 // The command line as a plain value: what `wold ARGS…` asks for. docs: --help and CONTRACT in docs/command-line.md.
 #pragma once
 
+#include "io/files/asset_import.h"
+#include "io/files/height_import.h"
 #include "io/scene/camera.h"
 #include "renderer/settings.h"
 
@@ -15,12 +17,23 @@
 
 namespace app {
 
-enum class Command { Edit, Render, Pick, Run, Bench, Check, New, Info };
+enum class Command { Edit, Render, Pick, Run, Bench, Check, New, Info, Import, Export };
 enum class Quality { Auto, Low, Medium, High, Ultra };
 
 struct FrameRange {
     int first = 0;
     int last = 0; // inclusive
+};
+
+// What `import` and `export` are told.
+struct Exchange {
+    std::vector<std::filesystem::path> files;
+    std::optional<io::AssetKind> as;
+    io::RawLayout layout;        // of height maps
+    io::HeightMeasures measures; // likewise
+    bool force = false;
+    bool onlyTerrain = false;
+    int step = 0; // of the mesh; 0: its own choice
 };
 
 struct Options {
@@ -56,6 +69,7 @@ struct Options {
     bool fix = false;                // check
     std::filesystem::path folder;    // new
     std::string starter = "empty";   // new
+    Exchange exchange;               // import, export
 
     std::filesystem::path replay;             // edit
     std::filesystem::path record;             // edit

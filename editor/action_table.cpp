@@ -147,6 +147,10 @@ void fileActions(Actions& a, Editor& e)
                e.dialogs().askToSave(e, [&e] { e.dialogs().showOpen(e); });
            }});
     a.add({.id = "save", .icon = Icon::Save, .keys = ctrl(Key::S), .run = [&e] { e.save(); }, .enabled = open});
+    a.add({.id = "import_heights", .run = [&e] { e.dialogs().showImportHeights(e); }, .enabled = open});
+    a.add({.id = "export_heights",
+           .run = [&e] { e.dialogs().showExportHeights(e); },
+           .enabled = [&e] { return e.document() && e.document()->scene().heights(); }});
     a.add({.id = "save_as", .keys = ctrlShift(Key::S), .run = [&e] { e.dialogs().showSaveAs(e); }, .enabled = open});
     a.add({.id = "revert",
            .icon = Icon::Reset,

@@ -50,7 +50,7 @@ void fileMenu(Editor& editor)
     items(editor, {"new", "open"});
     recentMenu(editor);
     scenesMenu(editor);
-    items(editor, {"", "save", "save_as", "revert", "", "close", "quit"});
+    items(editor, {"", "save", "save_as", "revert", "", "import_heights", "export_heights", "", "close", "quit"});
     ImGui::EndMenu();
 }
 

@@ -25,6 +25,7 @@ std::span<const ScriptCommand> transformCommands(); // move rotate scale rename 
 std::span<const ScriptCommand> documentCommands();  // select set get undo redo save save_as reload view render …
 std::span<const ScriptCommand> groundCommands();    // sculpt paint
 std::span<const ScriptCommand> landscapeCommands(); // generate resample crop offset
+std::span<const ScriptCommand> heightCommands();    // import_heights export_heights
 std::span<const ScriptCommand> queryCommands();     // objects object selection height pick stats history
 
 io::Value describe(const PickHit& hit, const io::Scene& scene);

@@ -15,5 +15,7 @@ int bench(const Options& options);
 int check(const Options& options);
 int makeProject(const Options& options);
 int info(const Options& options);
+int importFiles(const Options& options);
+int exportFile(const Options& options);
 
 } // namespace app

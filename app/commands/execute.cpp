@@ -21,6 +21,10 @@ int execute(const Options& options)
         return makeProject(options);
     case Command::Info:
         return info(options);
+    case Command::Import:
+        return importFiles(options);
+    case Command::Export:
+        return exportFile(options);
     }
     return 2;
 }

@@ -25,6 +25,10 @@ void Dialogs::draw(Editor& editor)
         return drawNew(editor);
     case Which::SaveAs:
         return drawSaveAs(editor);
+    case Which::ImportHeights:
+        return drawImportHeights(editor);
+    case Which::ExportHeights:
+        return drawExportHeights(editor);
     case Which::Keys:
         return drawKeys(editor);
     case Which::Message:

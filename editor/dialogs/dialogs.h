@@ -1,8 +1,8 @@
-// Dialogs: what asks a person before going on: open, new, save as, unsaved changes, messages, the list of keys.
+// Dialogs: what asks a person before going on: open, new, save as, heights in and out, unsaved changes, messages, the list of keys.
 // One is shown at a time; messages wait their turn.
 #pragma once
 
-#include "editor/dialogs/folder_browser.h"
+#include "editor/dialogs/height_dialogs.h"
 
 #include <deque>
 #include <functional>
@@ -17,6 +17,8 @@ public:
     void showOpen(Editor& editor);
     void showNew();
     void showSaveAs(Editor& editor);
+    void showImportHeights(Editor& editor);
+    void showExportHeights(Editor& editor);
     void showKeys() { m_which = Which::Keys; }
     void showMessage(std::string title, std::string text) { m_messages.push_back({std::move(title), std::move(text)}); }
     // Runs `then` at once when nothing is unsaved; otherwise after Save or Discard, and not at all after Cancel.
@@ -29,7 +31,7 @@ public:
     bool any() const { return m_which != Which::None || !m_messages.empty(); }
 
 private:
-    enum class Which { None, Open, New, SaveAs, Keys, Message, AskToSave, Confirm };
+    enum class Which { None, Open, New, SaveAs, ImportHeights, ExportHeights, Keys, Message, AskToSave, Confirm };
     struct Message {
         std::string title, text;
     };
@@ -39,6 +41,8 @@ private:
     void drawOpen(Editor& editor);
     void drawNew(Editor& editor);
     void drawSaveAs(Editor& editor);
+    void drawImportHeights(Editor& editor);
+    void drawExportHeights(Editor& editor);
     void drawKeys(Editor& editor);
     void drawMessage();
     void drawAskToSave(Editor& editor);
@@ -48,6 +52,8 @@ private:
 
     Which m_which = Which::None;
     FolderBrowser m_browser;
+    HeightImportForm m_import;
+    HeightExportForm m_export;
     std::string m_name; // of the folder to make
     int m_starter = 0;
     std::string m_fault; // shown in the dialog

@@ -16,8 +16,9 @@ bool isProject(const fs::path& folder)
     return fs::is_regular_file(folder / "project.json", none);
 }
 
-void FolderBrowser::start(const fs::path& folder)
+void FolderBrowser::start(const fs::path& folder, Wanted files)
 {
+    m_files = std::move(files);
     std::error_code none;
     fs::path at = fs::absolute(folder, none);
     while (!fs::is_directory(at, none) && at.has_relative_path())
@@ -46,11 +47,12 @@ void FolderBrowser::read()
          !fault && at != end; at.increment(fault)) {
         std::error_code none;
         const std::string name = at->path().filename().string();
-        if (name.starts_with('.') || !at->is_directory(none)) continue;
-        m_entries.push_back({name, isProject(at->path())});
+        if (name.starts_with('.')) continue;
+        if (at->is_directory(none)) m_entries.push_back({name, isProject(at->path())});
+        else if (m_files && at->is_regular_file(none) && m_files(at->path())) m_entries.push_back({name, false, true});
     }
     std::sort(m_entries.begin(), m_entries.end(),
-              [](const Entry& a, const Entry& b) { return lowerCase(a.name) < lowerCase(b.name); });
+              [](const Entry& a, const Entry& b) { return std::pair{a.file, lowerCase(a.name)} < std::pair{b.file, lowerCase(b.name)}; });
 }
 
 void FolderBrowser::draw(float height)
@@ -78,7 +80,7 @@ void FolderBrowser::draw(float height)
     const std::vector<Entry> entries = m_entries; // entering a folder changes the list
     for (const Entry& entry : entries)
         row(entry);
-    if (entries.empty()) ui::softText(tr("browser.empty"));
+    if (entries.empty()) ui::softText(m_files ? tr("browser.no_files") : tr("browser.empty"));
     ImGui::PopStyleVar();
     ImGui::EndChild();
     ImGui::PopStyleVar();
@@ -96,15 +98,17 @@ void FolderBrowser::row(const Entry& entry)
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     const bool on = m_text == path.string();
     if (on || hovered) draw.AddRectFilled(min, max, on ? IM_COL32(98, 68, 184, 140) : IM_COL32(255, 255, 255, 12), 3);
-    drawIcon(draw, entry.project ? Icon::Terrain : Icon::Folder, {min.x + 8, min.y + 6}, 14,
+    drawIcon(draw, entry.project || entry.file ? Icon::Terrain : Icon::Folder, {min.x + 8, min.y + 6}, 14,
              entry.project ? palette::kAccent : palette::kSoftText);
     draw.AddText({min.x + 32, min.y + 5}, palette::kText, entry.name.c_str());
     if (entry.project) {
         const char* mark = tr("browser.project");
         draw.AddText({max.x - ImGui::CalcTextSize(mark).x - 10, min.y + 5}, palette::kFaintText, mark);
     }
-    mapItem("folder", entry.name, on);
-    if (hovered && ImGui::IsMouseDoubleClicked(0)) {
+    mapItem(entry.file ? "file" : "folder", entry.name, on);
+    if (entry.file) {
+        if (clicked) m_text = path.string();
+    } else if (hovered && ImGui::IsMouseDoubleClicked(0)) {
         if (entry.project)
             m_text = path.string(), m_confirmed = true;
         else

@@ -141,10 +141,14 @@ void TerrainPanel::measures(Editor& editor)
         fields(ui, shown);
         if (const io::HeightMap* map = editor.document()->scene().heights().get())
             ui::softText(trf("ground.facts", map->size.x, map->size.y, map->min, map->max));
+        if (ui::button("import", tr("ground.import"))) editor.actions().run("import_heights");
+        ImGui::SameLine(0, 4);
+        if (editor.document()->scene().heights() && ui::button("export", tr("ground.export"))) editor.actions().run("export_heights");
     }
-    if (ui.changes().empty()) return;
-    editor.beginEdit(ui.changedKey(), trf("undo.edit", ui.changedLabel()));
-    setTerrain(*editor.document(), ui.changedLabel(), std::move(shown));
+    if (!ui.changes().empty()) {
+        editor.beginEdit(ui.changedKey(), trf("undo.edit", ui.changedLabel()));
+        setTerrain(*editor.document(), ui.changedLabel(), std::move(shown));
+    }
 }
 
 void TerrainPanel::layers(Editor& editor)

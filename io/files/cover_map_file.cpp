@@ -14,7 +14,7 @@ static_assert(std::endian::native == std::endian::little);
 
 Result<CoverMap> readCoverMap(const std::filesystem::path& file, glm::ivec2 size)
 {
-    const Result<Image> image = readImage(file);
+    const Result<Image> image = readImage(file, kGroundLimits);
     if (!image) return image.error();
     if (image->channels != 4 || image->type != PixelType::U8)
         return Error{file.string(), "a cover map is a PNG with red, green, blue and alpha of 8 bits"};

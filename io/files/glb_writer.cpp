@@ -1,7 +1,7 @@
 // Writes a model as binary glTF 2.0 (Khronos, sections 3 and 4.4).
+#include "io/files/gltf_document.h"
 #include "io/files/image_file.h"
 #include "io/files/png_file.h"
-#include "io/files/json.h"
 #include "io/files/model_file.h"
 #include "io/scene/field_words.h"
 
@@ -11,95 +11,50 @@
 namespace io {
 namespace {
 
-constexpr int kFloat = 5126;
-constexpr int kUnsignedByte = 5121;
-constexpr int kUnsignedShort = 5123;
-constexpr int kUnsignedInt = 5125;
-constexpr int kVertexData = 34962; // ARRAY_BUFFER
-constexpr int kIndexData = 34963;  // ELEMENT_ARRAY_BUFFER
-
-template <class V> Value numbers(const V& vector)
+template <class T, class Get> int addVertices(GltfBuffer& buffer, const Model& model, Get get, int component, const char* type)
 {
-    Value::Array result;
-    for (int i = 0; i < vector.length(); ++i)
-        result.push_back(decimal(vector[i]));
-    return result;
+    std::vector<T> values;
+    values.reserve(model.vertices.size());
+    for (const Vertex& vertex : model.vertices)
+        values.push_back(get(vertex));
+    const int view = buffer.addView(values.data(), values.size() * sizeof(T), kVertexData);
+    return buffer.addAccessor(view, component, 0, values.size(), type);
 }
-
-// The binary chunk, and the views and accessors into it.
-struct Buffer {
-    std::string bytes;
-    Value::Array views;
-    Value::Array accessors;
-
-    int addView(const void* data, std::size_t size, int target)
-    {
-        bytes.resize((bytes.size() + 3) & ~std::size_t{3});
-        Value::Object view{
-            {"buffer", 0}, {"byteOffset", std::uint64_t(bytes.size())}, {"byteLength", std::uint64_t(size)}};
-        if (target != 0) view.emplace_back("target", target);
-        bytes.append(static_cast<const char*>(data), size);
-        views.push_back(std::move(view));
-        return int(views.size()) - 1;
-    }
-    int addAccessor(int view, int component, std::uint64_t offset, std::uint64_t count, const char* type)
-    {
-        Value::Object accessor{{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}};
-        if (offset > 0) accessor.insert(accessor.begin() + 1, {"byteOffset", offset});
-        accessors.push_back(std::move(accessor));
-        return int(accessors.size()) - 1;
-    }
-    template <class T, class Get> int addVertices(const Model& model, Get get, int component, const char* type)
-    {
-        std::vector<T> values;
-        values.reserve(model.vertices.size());
-        for (const Vertex& vertex : model.vertices)
-            values.push_back(get(vertex));
-        const int view = addView(values.data(), values.size() * sizeof(T), kVertexData);
-        return addAccessor(view, component, 0, values.size(), type);
-    }
-};
 
 bool any(const Model& model, auto differs)
 {
     return std::any_of(model.vertices.begin(), model.vertices.end(), differs);
 }
 
-Value attributes(const Model& model, Buffer& buffer)
+Value attributes(const Model& model, GltfBuffer& buffer)
 {
     Value::Object result;
     const auto add = [&](const char* name, int accessor) { result.emplace_back(name, accessor); };
-    add("POSITION", buffer.addVertices<glm::vec3>(
-                        model, [](const Vertex& v) { return v.position; }, kFloat, "VEC3"));
+    add("POSITION", addVertices<glm::vec3>(buffer, model, [](const Vertex& v) { return v.position; }, kFloat, "VEC3"));
     Box bounds;
     for (const Vertex& vertex : model.vertices)
         bounds.add(vertex.position);
     buffer.accessors.back()["min"] = numbers(bounds.min);
     buffer.accessors.back()["max"] = numbers(bounds.max);
-    add("NORMAL", buffer.addVertices<glm::vec3>(
-                      model, [](const Vertex& v) { return v.normal; }, kFloat, "VEC3"));
+    add("NORMAL", addVertices<glm::vec3>(buffer, model, [](const Vertex& v) { return v.normal; }, kFloat, "VEC3"));
     const bool bumpy = std::any_of(model.materials.begin(), model.materials.end(),
                                    [](const Material& m) { return m.normalTexture.image >= 0; });
     if (bumpy)
-        add("TANGENT", buffer.addVertices<glm::vec4>(
-                           model, [](const Vertex& v) { return v.tangent; }, kFloat, "VEC4"));
+        add("TANGENT", addVertices<glm::vec4>(buffer, model, [](const Vertex& v) { return v.tangent; }, kFloat, "VEC4"));
     const bool second = any(model, [](const Vertex& v) { return v.uv1 != glm::vec2{0}; });
     if (second || any(model, [](const Vertex& v) { return v.uv0 != glm::vec2{0}; }))
-        add("TEXCOORD_0", buffer.addVertices<glm::vec2>(
-                              model, [](const Vertex& v) { return v.uv0; }, kFloat, "VEC2"));
+        add("TEXCOORD_0", addVertices<glm::vec2>(buffer, model, [](const Vertex& v) { return v.uv0; }, kFloat, "VEC2"));
     if (second)
-        add("TEXCOORD_1", buffer.addVertices<glm::vec2>(
-                              model, [](const Vertex& v) { return v.uv1; }, kFloat, "VEC2"));
+        add("TEXCOORD_1", addVertices<glm::vec2>(buffer, model, [](const Vertex& v) { return v.uv1; }, kFloat, "VEC2"));
     if (any(model, [](const Vertex& v) { return v.colour != glm::u8vec4{255}; })) {
-        add("COLOR_0", buffer.addVertices<glm::u8vec4>(
-                           model, [](const Vertex& v) { return v.colour; }, kUnsignedByte, "VEC4"));
+        add("COLOR_0", addVertices<glm::u8vec4>(buffer, model, [](const Vertex& v) { return v.colour; }, kUnsignedByte, "VEC4"));
         buffer.accessors.back()["normalized"] = true;
     }
     return result;
 }
 
 // One view holds all indices; each part is an accessor into it.
-Value primitives(const Model& model, Buffer& buffer)
+Value primitives(const Model& model, GltfBuffer& buffer, int firstMaterial)
 {
     const Value vertexAccessors = attributes(model, buffer);
     const bool narrow = model.vertices.size() < 65535; // 65535 itself means "restart" to some readers
@@ -114,7 +69,7 @@ Value primitives(const Model& model, Buffer& buffer)
         const int indices = buffer.addAccessor(view, narrow ? kUnsignedShort : kUnsignedInt,
                                                std::uint64_t(part.firstIndex) * size, part.indexCount, "SCALAR");
         result.push_back(
-            Value::Object{{"attributes", vertexAccessors}, {"indices", indices}, {"material", part.material}});
+            Value::Object{{"attributes", vertexAccessors}, {"indices", indices}, {"material", firstMaterial + part.material}});
     }
     return result;
 }
@@ -122,11 +77,7 @@ Value primitives(const Model& model, Buffer& buffer)
 // Textures, samplers and materials, and the extensions they turn out to need.
 class MaterialWriter {
 public:
-    explicit MaterialWriter(const Model& model) : m_model{model} {}
-    Value::Array textures;
-    Value::Array samplers;
-    bool usesTransform = false;
-    bool usesUnlit = false;
+    MaterialWriter(const Model& model, GltfDocument& document) : m_model{model}, m_document{document} {}
 
     Value write(const Material& material)
     {
@@ -147,7 +98,7 @@ public:
         }
         if (material.doubleSided) result.emplace_back("doubleSided", true);
         if (material.unlit) {
-            usesUnlit = true;
+            m_document.usesUnlit = true;
             result.emplace_back("extensions", Value::Object{{"KHR_materials_unlit", Value::Object{}}});
         }
         return result;
@@ -163,7 +114,7 @@ private:
         if (use.uvSet != 0) info.emplace_back("texCoord", use.uvSet);
         if (factorKey && factor != 1) info.emplace_back(factorKey, decimal(factor));
         if (use.offset != glm::vec2{0} || use.scale != glm::vec2{1} || use.rotation != 0) {
-            usesTransform = true;
+            m_document.usesTransform = true;
             info.emplace_back("extensions",
                               Value::Object{{"KHR_texture_transform", Value::Object{{"offset", numbers(use.offset)},
                                                                                     {"rotation", decimal(use.rotation)},
@@ -173,22 +124,16 @@ private:
     }
     int textureOf(const TextureUse& use)
     {
-        // Files without a null image number their images as the model does; see imageNumber().
-        const Value texture = Value::Object{{"sampler", samplerOf(use)}, {"source", imageNumber(use.image)}};
-        return indexIn(textures, texture);
+        const int source = m_document.imageNumbers.at(m_model.images[std::size_t(use.image)].get());
+        return indexIn(m_document.textures, Value::Object{{"sampler", samplerOf(use)}, {"source", source}});
     }
     int samplerOf(const TextureUse& use)
     {
         const auto code = [](Wrap wrap) { return wrap == Wrap::Clamp ? 33071 : wrap == Wrap::Mirror ? 33648 : 10497; };
-        return indexIn(samplers, Value::Object{{"magFilter", 9729}, // LINEAR
+        return indexIn(m_document.samplers, Value::Object{{"magFilter", 9729}, // LINEAR
                                                {"minFilter", 9987}, // LINEAR_MIPMAP_LINEAR
                                                {"wrapS", code(use.wrapU)},
                                                {"wrapT", code(use.wrapV)}});
-    }
-    int imageNumber(int image) const
-    {
-        return int(std::count_if(m_model.images.begin(), m_model.images.begin() + image,
-                                 [](const auto& known) { return known != nullptr; }));
     }
     static int indexIn(Value::Array& list, const Value& item)
     {
@@ -199,33 +144,20 @@ private:
     }
 
     const Model& m_model;
+    GltfDocument& m_document;
 };
 
-Result<Value> images(const Model& model, Buffer& buffer)
+Status addImages(const Model& model, GltfDocument& document)
 {
-    Value::Array result;
     for (const auto& image : model.images) {
-        if (!image) continue;
+        if (!image || document.imageNumbers.contains(image.get())) continue;
         const Result<std::string> png = encodePng(*image);
         if (!png) return png.error();
-        const int view = buffer.addView(png->data(), png->size(), 0);
-        result.push_back(Value::Object{{"bufferView", view}, {"mimeType", "image/png"}});
+        const int view = document.buffer.addView(png->data(), png->size(), 0);
+        document.imageNumbers[image.get()] = int(document.images.size());
+        document.images.push_back(Value::Object{{"bufferView", view}, {"mimeType", "image/png"}});
     }
-    return Value{std::move(result)};
-}
-
-void addList(Value::Object& gltf, const char* key, Value::Array list)
-{
-    if (!list.empty()) gltf.emplace_back(key, std::move(list));
-}
-
-void appendChunk(std::string& out, const char* type, std::string data, char padding)
-{
-    data.resize((data.size() + 3) & ~std::size_t{3}, padding);
-    const auto size = std::uint32_t(data.size());
-    out.append(reinterpret_cast<const char*>(&size), 4);
-    out.append(type, 4);
-    out += data;
+    return {};
 }
 
 // Parts index whole triangles of known vertices and name known materials, or the file would be refused by readers.
@@ -253,42 +185,26 @@ Model withoutLevels(Model model)
 
 } // namespace
 
-Result<std::string> encodeGlb(const Model& model)
+Result<int> GltfDocument::addMesh(const Model& model)
 {
     if (!consistent(model)) return Error{model.name, "the model has no triangles, or parts that do not fit its data"};
-    if (!model.levels.empty()) return encodeGlb(withoutLevels(model));
-    Buffer buffer;
-    Value meshes = Value::Object{{"name", model.name}, {"primitives", primitives(model, buffer)}};
-    MaterialWriter writer{model};
-    Value::Array materials;
+    if (!model.levels.empty()) return addMesh(withoutLevels(model));
+    meshes.push_back(Value::Object{{"name", model.name}, {"primitives", primitives(model, buffer, int(materials.size()))}});
+    if (const Status added = addImages(model, *this); !added) return Error{model.name, added.error().text()};
+    MaterialWriter writer{model, *this};
     for (const Material& material : model.materials)
         materials.push_back(writer.write(material));
-    Result<Value> imageList = images(model, buffer);
-    if (!imageList) return Error{model.name, imageList.error().text()};
+    return int(meshes.size()) - 1;
+}
 
-    Value::Array extensions;
-    if (writer.usesUnlit) extensions.push_back("KHR_materials_unlit");
-    if (writer.usesTransform) extensions.push_back("KHR_texture_transform");
-    Value::Object gltf{{"asset", Value::Object{{"version", "2.0"}, {"generator", "Wold"}}}};
-    addList(gltf, "extensionsUsed", std::move(extensions));
-    gltf.emplace_back("scene", 0);
-    gltf.emplace_back("scenes", Value::Array{Value::Object{{"nodes", Value::Array{0}}}});
-    gltf.emplace_back("nodes", Value::Array{Value::Object{{"name", model.name}, {"mesh", 0}}});
-    gltf.emplace_back("meshes", Value::Array{std::move(meshes)});
-    addList(gltf, "materials", std::move(materials));
-    addList(gltf, "textures", std::move(writer.textures));
-    addList(gltf, "samplers", std::move(writer.samplers));
-    addList(gltf, "images", *imageList->asArray());
-    addList(gltf, "accessors", std::move(buffer.accessors));
-    addList(gltf, "bufferViews", std::move(buffer.views));
-    gltf.emplace_back("buffers", Value::Array{Value::Object{{"byteLength", std::uint64_t(buffer.bytes.size())}}});
-
-    std::string chunks;
-    appendChunk(chunks, "JSON", writeJson(gltf), ' ');
-    appendChunk(chunks, "BIN\0", std::move(buffer.bytes), '\0');
-    const std::uint32_t header[] = {0x46546C67, 2, std::uint32_t(chunks.size()) + 12}; // "glTF"
-    std::string out{reinterpret_cast<const char*>(header), sizeof header};
-    return out + chunks;
+Result<std::string> encodeGlb(const Model& model)
+{
+    GltfDocument document;
+    const Result<int> mesh = document.addMesh(model);
+    if (!mesh) return mesh.error();
+    document.nodes.push_back(Value::Object{{"name", model.name}, {"mesh", *mesh}});
+    const Value text = document.text({0});
+    return glbOf(text, std::move(document.buffer.bytes));
 }
 
 } // namespace io

@@ -2,6 +2,8 @@
 
 #include "io/base/contract.h"
 #include "io/files/atomic_file.h"
+#include "io/files/file_names.h"
+#include "io/files/height_voids.h"
 #include "io/files/image_file.h"
 #include "io/files/png_file.h"
 #include "io/scene/field_words.h"
@@ -9,20 +11,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 
 namespace io {
 namespace {
-
-constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
-constexpr float kHighest = 1e5f; // m; what is beyond is no height but a mark or an error
-constexpr int kSmoothings = 32;
-
-bool isVoid(float metres)
-{
-    // -32768 and -9999 are the marks of SRTM and of Esri's grids, -32767 that of many GeoTIFFs.
-    return !std::isfinite(metres) || std::abs(metres) > kHighest || metres == -32768 || metres == -32767 ||
-           metres == -9999;
-}
 
 template <class T> std::vector<float> scaled(const Image& image, double low, double high)
 {
@@ -42,85 +35,10 @@ std::vector<float> plain(const Image& image)
     for (int z = 0; z < image.size.y; ++z) {
         for (int x = 0; x < image.size.x; ++x) {
             const float value = image.row<float>(z)[std::size_t(x) * image.channels];
-            metres.push_back(isVoid(value) ? kVoid : value);
+            metres.push_back(marksVoid(value) ? kVoid : value);
         }
     }
     return metres;
-}
-
-// The mean of the neighbours that are known; NaN when there are none.
-float meanAround(const HeightGrid& map, int x, int z)
-{
-    float sum = 0;
-    int count = 0;
-    for (int dz = -1; dz <= 1; ++dz) {
-        for (int dx = -1; dx <= 1; ++dx) {
-            if ((dx == 0 && dz == 0) || x + dx < 0 || z + dz < 0 || x + dx >= map.size.x || z + dz >= map.size.y)
-                continue;
-            const float height = map.at(x + dx, z + dz);
-            if (std::isnan(height)) continue;
-            sum += height;
-            ++count;
-        }
-    }
-    return count == 0 ? kVoid : sum / float(count);
-}
-
-using Texels = std::vector<glm::ivec2>;
-
-std::vector<float> meansAround(const HeightGrid& map, const Texels& texels)
-{
-    std::vector<float> means;
-    means.reserve(texels.size());
-    for (const glm::ivec2& t : texels)
-        means.push_back(meanAround(map, t.x, t.y));
-    return means;
-}
-
-void set(HeightGrid& map, const glm::ivec2& texel, float metres)
-{
-    map.metres[std::size_t(texel.y) * map.size.x + texel.x] = metres;
-}
-
-// Texels next to a void one, that are void themselves and not in line yet.
-void addVoidNeighbours(const HeightGrid& map, const glm::ivec2& texel, std::vector<bool>& queued, Texels& ring)
-{
-    for (int dz = -1; dz <= 1; ++dz) {
-        for (int dx = -1; dx <= 1; ++dx) {
-            const glm::ivec2 t = texel + glm::ivec2{dx, dz};
-            if (t.x < 0 || t.y < 0 || t.x >= map.size.x || t.y >= map.size.y || !std::isnan(map.at(t.x, t.y))) continue;
-            const std::size_t index = std::size_t(t.y) * map.size.x + t.x;
-            if (queued[index]) continue;
-            queued[index] = true;
-            ring.push_back(t);
-        }
-    }
-}
-
-// Grows the known ground into the voids ring by ring, then lets what was filled settle like a membrane.
-std::size_t fillVoids(HeightGrid& map)
-{
-    std::vector<bool> queued(map.metres.size());
-    Texels ring, filled;
-    for (int z = 0; z < map.size.y; ++z)
-        for (int x = 0; x < map.size.x; ++x)
-            if (!std::isnan(map.at(x, z))) addVoidNeighbours(map, {x, z}, queued, ring);
-    while (!ring.empty()) {
-        const std::vector<float> means = meansAround(map, ring);
-        for (std::size_t i = 0; i < ring.size(); ++i)
-            set(map, ring[i], means[i]);
-        filled.insert(filled.end(), ring.begin(), ring.end());
-        Texels next;
-        for (const glm::ivec2& texel : ring)
-            addVoidNeighbours(map, texel, queued, next);
-        ring = std::move(next);
-    }
-    for (int pass = 0; pass < kSmoothings; ++pass) {
-        const std::vector<float> means = meansAround(map, filled);
-        for (std::size_t i = 0; i < filled.size(); ++i)
-            set(map, filled[i], means[i]);
-    }
-    return filled.size();
 }
 
 std::vector<float> metresOf(const Image& image, const Terrain& terrain, const std::string& where,
@@ -143,35 +61,39 @@ std::vector<float> metresOf(const Image& image, const Terrain& terrain, const st
 Result<HeightMap> readHeightMap(const std::filesystem::path& file, const Terrain& terrain, Complaints& complaints)
 {
     const std::string where = file.string();
-    const Result<Image> image = readImage(file);
+    const Result<Image> image = readImage(file, kGroundLimits);
     if (!image) return image.error();
     if (image->size.x < 2 || image->size.y < 2) return Error{where, "a height map needs at least 2 x 2 pixels"};
 
     HeightGrid grid{.size = image->size, .metresPerTexel = terrain.metresPerTexel, .origin = terrain.origin};
     grid.metres = metresOf(*image, terrain, where, complaints);
-    const bool voids = std::any_of(grid.metres.begin(), grid.metres.end(), [](float m) { return std::isnan(m); });
-    if (voids && std::all_of(grid.metres.begin(), grid.metres.end(), [](float m) { return std::isnan(m); }))
-        return Error{where, "a height map without a single height"};
-    if (voids)
-        complaints.push_back({Severity::Warning, where,
-                              std::to_string(fillVoids(grid)) + " heights are missing; filled from their neighbours"});
+    const std::optional<std::size_t> filled = fillVoids(grid.size, grid.metres);
+    if (!filled) return Error{where, "a height map without a single height"};
+    if (*filled > 0)
+        complaints.push_back({Severity::Warning, where, std::to_string(*filled) + " heights are missing; filled from their neighbours"});
     HeightMap map{grid};
     map.shares = image->type != PixelType::F32;
     return map;
+}
+
+std::vector<std::uint16_t> samples16(const HeightGrid& heights, double minHeight, double maxHeight)
+{
+    EXPECTS(maxHeight > minHeight);
+    std::vector<std::uint16_t> samples;
+    samples.reserve(heights.metres.size());
+    for (const float metres : heights.metres)
+        samples.push_back(std::uint16_t(std::lround(std::clamp((double(metres) - minHeight) / (maxHeight - minHeight), 0.0, 1.0) * 65535)));
+    return samples;
 }
 
 namespace {
 
 Result<std::string> encoded16(const HeightGrid& heights, double minHeight, double maxHeight)
 {
-    EXPECTS(maxHeight > minHeight);
     Image image{.size = heights.size, .channels = 1, .type = PixelType::U16};
-    image.bytes.resize(image.rowBytes() * std::size_t(image.size.y));
-    auto* texel = image.row<std::uint16_t>(0);
-    for (const float metres : heights.metres) {
-        const double share = std::clamp((double(metres) - minHeight) / (maxHeight - minHeight), 0.0, 1.0);
-        *texel++ = std::uint16_t(std::lround(share * 65535));
-    }
+    const std::vector<std::uint16_t> samples = samples16(heights, minHeight, maxHeight);
+    const auto bytes = std::as_bytes(std::span{samples});
+    image.bytes.assign(bytes.begin(), bytes.end());
     return encodePng(image);
 }
 
@@ -184,35 +106,29 @@ Status writeHeightMap16(const std::filesystem::path& file, const HeightGrid& hei
     return writeFile(file, *png);
 }
 
-namespace {
-
-std::string extensionOf(const std::filesystem::path& file)
-{
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](char c) { return char(std::tolower(c)); });
-    return extension;
-}
-
-} // namespace
-
 bool holdsHeights(const std::filesystem::path& file)
 {
-    const std::string extension = extensionOf(file);
+    const std::string extension = lowerExtension(file);
     return extension == ".png" || extension == ".exr" || extension == ".tif" || extension == ".tiff";
+}
+
+void makeRoom(const HeightMap& heights, Terrain& terrain)
+{
+    const double low = std::min(terrain.minHeight, terrain.maxHeight), high = std::max(terrain.minHeight, terrain.maxHeight);
+    const double halfStep = (high - low) / 65535 / 2; // what rounds back into the range does not move it
+    if (heights.min < low - halfStep || heights.max > high + halfStep || high <= low) {
+        terrain.minHeight = std::floor(std::min(low, double(heights.min)));
+        terrain.maxHeight = std::ceil(std::max({high, double(heights.max), terrain.minHeight + 1}));
+    }
+    if (terrain.minHeight > terrain.maxHeight) std::swap(terrain.minHeight, terrain.maxHeight);
 }
 
 Result<std::string> encodeHeightMap(const HeightMap& heights, Terrain& terrain)
 {
     const HeightGrid grid = heights.read(heights.texels());
-    const std::string extension = extensionOf(terrain.heightMap);
+    const std::string extension = lowerExtension(terrain.heightMap);
     if (extension == ".png") {
-        const double low = std::min(terrain.minHeight, terrain.maxHeight), high = std::max(terrain.minHeight, terrain.maxHeight);
-        const double halfStep = (high - low) / 65535 / 2; // what rounds back into the range does not move it
-        if (heights.min < low - halfStep || heights.max > high + halfStep || high <= low) {
-            terrain.minHeight = std::floor(std::min(low, double(heights.min)));
-            terrain.maxHeight = std::ceil(std::max({high, double(heights.max), terrain.minHeight + 1}));
-        }
-        if (terrain.minHeight > terrain.maxHeight) std::swap(terrain.minHeight, terrain.maxHeight); // an upside-down file is put right
+        makeRoom(heights, terrain);
         return encoded16(grid, terrain.minHeight, terrain.maxHeight);
     }
     Image image{.size = grid.size, .channels = 1, .type = PixelType::F32};

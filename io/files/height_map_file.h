@@ -6,7 +6,9 @@
 #include "io/scene/height_map.h"
 #include "io/scene/terrain.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <vector>
 
 namespace io {
 
@@ -20,6 +22,10 @@ Status writeHeightMap16(const std::filesystem::path& file, const HeightGrid& hei
                         double maxHeight);
 
 bool holdsHeights(const std::filesystem::path& file); // by its name: a format that heights can be written to
+
+// Moves the terrain's two heights apart, to whole metres, where the ground lies beyond them; puts them right where they are upside down.
+void makeRoom(const HeightMap& heights, Terrain& terrain);
+std::vector<std::uint16_t> samples16(const HeightGrid& heights, double minHeight, double maxHeight); // what lies outside is clamped
 
 // What terrain.heightMap is to hold: a PNG of 16 bits between the terrain's two heights, which are moved apart where the
 // ground lies beyond them; EXR or TIFF in metres, float.

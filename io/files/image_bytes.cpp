@@ -1,7 +1,5 @@
 #include "io/files/image_bytes.h"
 
-#include "io/files/image_file.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -115,23 +113,23 @@ std::optional<glm::u32vec2> declaredSize(std::string_view bytes)
     return size;
 }
 
-Status checkSides(std::int64_t width, std::int64_t height, const std::string& where)
+Status checkSides(std::int64_t width, std::int64_t height, const ImageLimits& limits, const std::string& where)
 {
     if (width < 1 || height < 1) return Error{where, "an image of " + words(width, height)};
-    if (width > kLargestSide || height > kLargestSide)
-        return Error{where, words(width, height) + "; a side may have at most " + std::to_string(kLargestSide)};
+    if (width > limits.side || height > limits.side)
+        return Error{where, words(width, height) + "; a side may have at most " + std::to_string(limits.side)};
     return {};
 }
 
-Status checkSize(const DecodedSize& size, const std::string& where)
+Status checkSize(const DecodedSize& size, const ImageLimits& limits, const std::string& where)
 {
     const auto [width, height] = std::pair{std::int64_t(size.pixels.x), std::int64_t(size.pixels.y)};
-    if (Status sides = checkSides(width, height, where); !sides) return sides;
+    if (Status sides = checkSides(width, height, limits, where); !sides) return sides;
     if (size.channels < 1 || size.channels > 64) // further channels than four are passed over
         return Error{where, std::to_string(size.channels) + " channels; at most 4 are used"};
     const auto sample = std::max<std::uint64_t>(size.sampleBytes, 1);
-    if (std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(size.channels) * sample > kLargestImage)
-        return Error{where, words(width, height) + " are more than 512 MiB; make it smaller"};
+    if (std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(size.channels) * sample > limits.bytes)
+        return Error{where, words(width, height) + " are more than " + std::to_string(limits.bytes >> 20) + " MiB; make it smaller"};
     return {};
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/base/result.h"
+#include "io/files/image_file.h"
 
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -30,7 +31,7 @@ struct DecodedSize {
     int channels;
     std::size_t sampleBytes;
 };
-Status checkSides(std::int64_t width, std::int64_t height, const std::string& where);
-Status checkSize(const DecodedSize& size, const std::string& where);
+Status checkSides(std::int64_t width, std::int64_t height, const ImageLimits& limits, const std::string& where);
+Status checkSize(const DecodedSize& size, const ImageLimits& limits, const std::string& where);
 
 } // namespace io

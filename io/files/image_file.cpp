@@ -12,18 +12,20 @@
 namespace io {
 namespace {
 
-Result<Image> decode(std::string_view bytes, const std::string& where)
+constexpr std::uint64_t kLargestFile = std::uint64_t(1280) << 20; // bytes; a ground of 16385 x 16385 floats, not packed
+
+Result<Image> decode(std::string_view bytes, const std::string& where, const ImageLimits& limits)
 {
     const std::string format{imageFormat(bytes)};
     if (format.empty()) return Error{where, "not an image that Wold reads (PNG, JPEG, TIFF, EXR, HDR, DDS)"};
     if (const std::string fault = headerFault(bytes); !fault.empty()) return Error{where, fault};
     if (const auto size = declaredSize(bytes))
-        if (Status sides = checkSides(size->x, size->y, where); !sides) return sides.error();
-    if (format == "png") return decodePng(withoutMetadata(bytes), where);
+        if (Status sides = checkSides(size->x, size->y, limits, where); !sides) return sides.error();
+    if (format == "png") return decodePng(withoutMetadata(bytes), where, limits);
     if (format == "jpeg") return decodeJpeg(withoutMetadata(bytes), where);
     const Result<PictureModule> module = pictureModule();
     if (!module) return Error{where, module.error().what};
-    return module->decode(format, bytes, where);
+    return module->decode(format, bytes, where, limits);
 }
 
 Result<std::string> encodeByModule(const std::string& format, const Image& image)
@@ -47,20 +49,20 @@ Error unfit(const std::filesystem::path& file, const char* what)
 
 } // namespace
 
-Result<Image> decodeImage(std::string_view bytes, const std::string& where)
+Result<Image> decodeImage(std::string_view bytes, const std::string& where, const ImageLimits& limits)
 {
     try {
-        return decode(bytes, where);
+        return decode(bytes, where, limits);
     } catch (const std::exception& error) {
         return Error{where, std::string{"cannot be decoded: "} + error.what()};
     }
 }
 
-Result<Image> readImage(const std::filesystem::path& file)
+Result<Image> readImage(const std::filesystem::path& file, const ImageLimits& limits)
 {
-    const Result<std::string> bytes = readFile(file);
+    const Result<std::string> bytes = readFile(file, kLargestFile);
     if (!bytes) return bytes.error();
-    return decodeImage(*bytes, file.string());
+    return decodeImage(*bytes, file.string(), limits);
 }
 
 Result<std::string> encodeFloatImage(const std::string& extension, const Image& image)

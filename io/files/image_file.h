@@ -10,14 +10,17 @@
 
 namespace io {
 
-constexpr int kLargestSide = 16384;                               // pixels
-constexpr std::uint64_t kLargestImage = std::uint64_t(512) << 20; // bytes once decoded
+// What a file may ask for. Refused from the header, before any pixel is read.
+struct ImageLimits {
+    int side = 16384;                               // pixels
+    std::uint64_t bytes = std::uint64_t(512) << 20; // once decoded
+};
+constexpr ImageLimits kGroundLimits{.side = 16385, .bytes = std::uint64_t(16385) * 16385 * 4}; // a float, or a cover, a texel
 
-// PNG JPEG TIFF EXR HDR DDS, told apart by their first bytes. Refused from the header, before any pixel is read:
-// a side or a size over the limits. 8 and 16 bits stay what they are; half, float and signed integers become
+// PNG JPEG TIFF EXR HDR DDS, told apart by their first bytes. 8 and 16 bits stay what they are; half, float and signed integers become
 // float, the integers unscaled (a TIFF of heights holds metres). Alpha is never multiplied into the colour.
-Result<Image> decodeImage(std::string_view bytes, const std::string& where);
-Result<Image> readImage(const std::filesystem::path& file); // reads the file and decodes it
+Result<Image> decodeImage(std::string_view bytes, const std::string& where, const ImageLimits& limits = {});
+Result<Image> readImage(const std::filesystem::path& file, const ImageLimits& limits = {}); // reads the file and decodes it
 
 Result<std::string> encodeFloatImage(const std::string& extension, const Image& image); // ".exr", ".tif", ".tiff"
 Status writeImage(const std::filesystem::path& file, const Image& image, int quality = 92); // by extension: png jpg exr

@@ -173,7 +173,7 @@ Result<Image> decodeJpeg(std::string_view bytes, const std::string& where)
     Reader reader{bytes};
     if (!reader.readHeader()) return Error{where, "not a readable jpeg image: " + reader.fault()};
     Image image = reader.image();
-    if (Status size = checkSize({image.size, image.channels, 1}, where); !size) return size.error();
+    if (Status size = checkSize({image.size, image.channels, 1}, {}, where); !size) return size.error();
 
     image.bytes.resize(image.rowBytes() * std::size_t(image.size.y));
     if (!reader.readRows(reinterpret_cast<JSAMPLE*>(image.bytes.data()), image.rowBytes()))

@@ -32,12 +32,12 @@ std::string reason(std::string message)
 }
 
 // What a decoder is about to make is checked before it makes it.
-Status checkHeader(const OIIO::ImageSpec& spec, const std::string& where)
+Status checkHeader(const OIIO::ImageSpec& spec, const ImageLimits& limits, const std::string& where)
 {
     if (spec.get_int_attribute("tiff:RowsPerStrip", 1) < 1) // any format may carry it, and the library divides by it
         return refused(where, "its rows are damaged");
     if (spec.deep || spec.depth > 1) return refused(where, "deep or volume images are not supported; flatten it");
-    return checkSize({{spec.width, spec.height}, spec.nchannels, spec.format.size()}, where);
+    return checkSize({{spec.width, spec.height}, spec.nchannels, spec.format.size()}, limits, where);
 }
 
 PixelType pixelType(const OIIO::TypeDesc& format)
@@ -73,11 +73,11 @@ bool readPixels(OIIO::ImageInput& input, Image& image, OIIO::TypeDesc format)
 // The library's own limits lie a little above ours, as a second net.
 void limitLibrary()
 {
-    static const bool once = OIIO::attribute("threads", 1) && OIIO::attribute("limits:imagesize_MB", 1024);
+    static const bool once = OIIO::attribute("threads", 1) && OIIO::attribute("limits:imagesize_MB", 1280);
     (void)once;
 }
 
-Result<Image> decodePixels(const std::string& format, std::string_view bytes, const std::string& where)
+Result<Image> decodePixels(const std::string& format, std::string_view bytes, const std::string& where, const ImageLimits& limits)
 {
     limitLibrary();
     OIIO::Filesystem::IOMemReader memory{bytes.data(), bytes.size()};
@@ -90,7 +90,7 @@ Result<Image> decodePixels(const std::string& format, std::string_view bytes, co
     input->set_ioproxy(&memory);
     if (!input->open("image." + format, spec, config))
         return refused(where, "not a readable " + format + " image: " + reason(input->geterror()));
-    if (Status sound = checkHeader(spec, where); !sound) return sound.error();
+    if (Status sound = checkHeader(spec, limits, where); !sound) return sound.error();
 
     Image image;
     image.size = {spec.width, spec.height};
@@ -101,10 +101,10 @@ Result<Image> decodePixels(const std::string& format, std::string_view bytes, co
     return image;
 }
 
-Result<Image> decode(const std::string& format, std::string_view bytes, const std::string& where)
+Result<Image> decode(const std::string& format, std::string_view bytes, const std::string& where, const ImageLimits& limits)
 {
     try {
-        return decodePixels(format, bytes, where);
+        return decodePixels(format, bytes, where, limits);
     } catch (const std::exception& error) {
         return refused(where, std::string{"cannot be decoded: "} + error.what());
     }

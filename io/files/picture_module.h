@@ -3,7 +3,7 @@
 #pragma once
 
 #include "io/base/result.h"
-#include "io/scene/image.h"
+#include "io/files/image_file.h"
 
 #include <string>
 #include <string_view>
@@ -11,8 +11,8 @@
 namespace io {
 
 struct PictureModule {
-    // `format` as imageFormat() has it. Sizes are checked against the limits of image_file.h before any pixel is read.
-    Result<Image> (*decode)(const std::string& format, std::string_view bytes, const std::string& where) = nullptr;
+    // `format` as imageFormat() has it. Sizes are checked against the limits before any pixel is read.
+    Result<Image> (*decode)(const std::string& format, std::string_view bytes, const std::string& where, const ImageLimits& limits) = nullptr;
     Result<std::string> (*encode)(const std::string& format, const Image& image) = nullptr; // "exr" or "tiff"
 };
 

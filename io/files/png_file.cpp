@@ -133,13 +133,13 @@ std::vector<png_bytep> rowsOf(const Image& image)
 
 } // namespace
 
-Result<Image> decodePng(std::string_view bytes, const std::string& where)
+Result<Image> decodePng(std::string_view bytes, const std::string& where, const ImageLimits& limits)
 {
     Reader reader{bytes};
     if (!reader.readHeader()) return Error{where, "not a readable png image: " + reader.fault()};
     Image image = reader.image();
     const std::size_t sample = image.type == PixelType::U16 ? 2 : 1;
-    if (Status size = checkSize({image.size, image.channels, sample}, where); !size) return size.error();
+    if (Status size = checkSize({image.size, image.channels, sample}, limits, where); !size) return size.error();
 
     image.bytes.resize(image.rowBytes() * std::size_t(image.size.y));
     if (!reader.readRows(rowsOf(image).data())) return Error{where, "damaged: " + reader.fault()};

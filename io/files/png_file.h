@@ -3,7 +3,7 @@
 #pragma once
 
 #include "io/base/result.h"
-#include "io/scene/image.h"
+#include "io/files/image_file.h"
 
 #include <string>
 #include <string_view>
@@ -11,7 +11,7 @@
 namespace io {
 
 // 8 or 16 bits and one to four channels: a palette becomes colours, a transparent colour alpha, fewer bits become 8.
-Result<Image> decodePng(std::string_view bytes, const std::string& where);
+Result<Image> decodePng(std::string_view bytes, const std::string& where, const ImageLimits& limits = {});
 Result<std::string> encodePng(const Image& image); // U8 or U16
 
 } // namespace io

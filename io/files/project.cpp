@@ -4,6 +4,7 @@
 #include "io/base/paths.h"
 #include "io/files/cover_map_file.h"
 #include "io/files/documents.h"
+#include "io/files/file_names.h"
 #include "io/files/height_map_file.h"
 #include "io/files/scene_file.h"
 
@@ -165,15 +166,6 @@ bool named(const World& world, const SceneEntry& other, const std::string& heigh
     Scene scene;
     Complaints ignored;
     return text && readSceneText(std::move(*text), other.file, scene, ignored) && scene.terrain().heightMap == heightMap;
-}
-
-// A file beside this one that does not exist.
-std::string freshFile(const fs::path& folder, const fs::path& file, const std::string& extension)
-{
-    const std::string stem = (file.parent_path() / file.stem()).generic_string();
-    std::error_code fault;
-    for (int i = 2;; ++i)
-        if (std::string name = stem + "_" + std::to_string(i) + extension; !fs::exists(folder / name, fault) && !fault) return name;
 }
 
 // Adds the heights unless their file holds them, and answers what the scene's file is to say of them.

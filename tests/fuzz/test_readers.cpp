@@ -5,6 +5,8 @@
 
 #include "io/files/card_trimming.h"
 #include "io/files/documents.h"
+#include "io/files/geo_tiff.h"
+#include "io/files/height_import.h"
 #include "io/files/image_bytes.h"
 #include "io/files/image_file.h"
 #include "io/files/png_file.h"
@@ -13,6 +15,9 @@
 #include "io/files/model_file.h"
 #include "io/files/scene_file.h"
 
+#include <array>
+#include <bit>
+#include <cmath>
 #include <cstring>
 #include <random>
 
@@ -276,6 +281,63 @@ TEST(Fuzz, ImageBytes)
             ASSERT_LE(withoutMetadata(bytes).size(), bytes.size());
             (void)headerFault(bytes);
         }
+    }
+}
+
+// Bare samples, their headers, SRTM tiles and the tags of GeoTIFFs: damaged, they are read or refused.
+TEST(Fuzz, HeightMaps)
+{
+    const TemporaryFolder folder;
+    const std::string header = rawHeaderText({9, 7}, HeightSample::I16, 2.5, {1, -2}, glm::dvec2{-3, 40});
+    std::string raw(9 * 7 * 2, '\3'), tile;
+    for (int i = 0; i < 1201 * 1201; ++i)
+        tile += std::string{i % 1000 == 0 ? "\x80\x00" : "\x02\x10", 2};
+    Mutator mutator;
+    int taken = 0;
+    for (int i = 0; i < rounds(3000); ++i) {
+        put(folder / "a.hdr", mutator.damaged(header));
+        put(folder / "a.raw", i % 3 == 0 ? mutator.damaged(raw) : raw);
+        Complaints complaints;
+        const RawLayout layout{.size = i % 5 == 0 ? std::optional{glm::ivec2{i % 40 - 2, i % 17}} : std::nullopt};
+        const Result<HeightSource> source = readHeightSource(folder / "a.raw", layout, complaints);
+        if (!source) continue;
+        const Result<ImportedGround> ground = groundFrom(*source, {}, Scene{}, complaints);
+        if (!ground) continue;
+        ++taken;
+        for (const float metres : ground->grid.metres)
+            ASSERT_TRUE(std::isfinite(metres));
+    }
+    EXPECT_GT(taken, 100);
+    for (int i = 0; i < rounds(15); ++i) {
+        put(folder / "N10E010.hgt", mutator.damaged(tile));
+        Complaints complaints;
+        (void)readHeightSource(folder / "N10E010.hgt", {}, complaints);
+    }
+}
+
+TEST(Fuzz, GeoTiffs)
+{
+    // Little endian: a directory with a pixel scale, a tie point, keys and a mark of voids, and what they name behind it.
+    std::string tiff{"II*\0\x08\0\0\0", 8};
+    const auto add = [&tiff](std::uint64_t value, int bytes) {
+        for (int i = 0; i < bytes; ++i)
+            tiff += char(value >> (8 * i));
+    };
+    add(4, 2);
+    for (const auto& [tag, type, count, at] : {std::array{33550u, 12u, 3u, 64u}, {33922u, 12u, 6u, 88u}, {34735u, 3u, 8u, 136u}, {42113u, 2u, 4u, 0x392du}})
+        add(tag, 2), add(type, 2), add(count, 4), add(at, 4);
+    tiff.resize(64);
+    for (const double value : {0.001, 0.001, 0.0, 0.0, 0.0, 0.0, 8.0, 47.0, 0.0})
+        add(std::bit_cast<std::uint64_t>(value), 8);
+    for (const unsigned key : {1u, 1u, 0u, 1u, 1024u, 0u, 1u, 2u})
+        add(key, 2);
+    ASSERT_NEAR(geoTiffOf(tiff).metresPerTexel.value_or(0), 92, 2);
+    ASSERT_EQ(geoTiffOf(tiff).nodata, -9);
+    Mutator mutator;
+    for (int i = 0; i < rounds(30'000); ++i) {
+        const GeoTiff geo = geoTiffOf(mutator.damaged(tiff));
+        const double metres = geo.metresPerTexel.value_or(1);
+        ASSERT_TRUE(std::isfinite(metres) && metres > 0);
     }
 }
 

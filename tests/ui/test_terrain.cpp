@@ -52,7 +52,7 @@ TEST_F(TerrainPanel, HeightsAreDraggedAndUndone)
 TEST_F(TerrainPanel, ALayersRuleIsDraggedWithoutReadingAFile)
 {
     const auto heights = rig->document().scene().heights();
-    rig->click("Ground", "section"); // more room
+    rig->click("Ground", "section"); // makes room
     rig->click("grass", "section");
     const ImVec2 field = rig->at("Slope Y", "number");
     rig->drag(field, {field.x - 40, field.y});
