@@ -1,5 +1,6 @@
 #include "renderer/terrain.h"
 
+#include "io/scene/ground_flow.h"
 #include "renderer/shaders/shared/bindings.h"
 
 #include <algorithm>
@@ -108,6 +109,20 @@ void Terrain::update(const io::Scene& scene, const io::Assets& assets, const io:
     }
     updateCover(scene.cover(), changes);
     if (fields || !m_layers.present()) m_layers.update(scene.terrain(), assets, m_block);
+    const bool otherShape = another || !changes.heights.empty();
+    if (!m_layers.askForFlow()) m_flow = {};
+    else if (otherShape || !m_flow) measureFlow();
+}
+
+void Terrain::measureFlow()
+{
+    const io::GroundFlow flow = io::flowOf(*m_map);
+    std::vector<std::uint8_t> values;
+    for (const float value : flow.values)
+        values.push_back(std::uint8_t(std::lround(value * 255)));
+    if (m_flow.size() != flow.size) m_flow = gl::Texture{{.label = "ground flow", .size = flow.size, .format = GL_R8}};
+    m_flow.upload(values.data(), GL_RED, GL_UNSIGNED_BYTE);
+    m_block.flowScale = glm::vec2{m_map->metresPerTexel / flow.cell / glm::dvec2{flow.size}};
 }
 
 void Terrain::loadHeights()
@@ -201,6 +216,7 @@ std::vector<std::string> Terrain::coverDefines() const
     std::vector<std::string> defines{"LAYERS " + std::to_string(m_block.layers)};
     if (m_coverMap) defines.emplace_back("PAINTED");
     if (m_holed) defines.emplace_back("HOLES");
+    if (m_flow) defines.emplace_back("FLOW");
     return defines;
 }
 
@@ -281,6 +297,7 @@ void Terrain::bind(GpuFrame& gpu) const
     gpu.constants(TERRAIN_BINDING, m_block);
     m_texels->bind(gpu);
     m_layers.bind(gpu);
+    if (m_flow) gpu.bind({{FLOW_UNIT, &m_flow}});
 }
 
 void Terrain::bindForShadows(GpuFrame& gpu) const

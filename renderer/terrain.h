@@ -60,6 +60,7 @@ private:
     void touch(const io::TexelRect& rect, float low, float high); // what that part can shade is drawn anew; m
     void changeHeights(const io::TexelRect& changed);
     void makeGrid();
+    void measureFlow();
     bool sees(const std::optional<Volume>& volume, const GroundNode& node) const;
     Draw drawOf(GpuStream& stream, std::span<const ChosenNode> chosen, GroundStages stages) const;
 
@@ -71,6 +72,7 @@ private:
     std::shared_ptr<const io::CoverMap> m_coverMap;
     bool m_holed = false;
     TerrainLayers m_layers;
+    gl::Texture m_flow; // as io::GroundFlow; empty while no layer asks for it
     gl::Buffer m_gridVertices, m_gridIndices;
     gl::VertexArray m_grids, m_patches;
     glsl::Terrain m_block{};

@@ -72,6 +72,7 @@ glsl::TerrainLayer layerBlock(const io::TerrainLayer& layer, bool colour, bool n
     block.repeats = 1 / std::max(layer.metres, 1e-3f);
     block.slopeRamps = rampsOf(layer.slope, blend * 7.5f, {0, 90});
     block.altitudeRamps = rampsOf(layer.altitude, blend * 20, {-1e5f, 1e5f});
+    block.flowRamps = rampsOf(layer.flow, blend * 0.1f, {0, 1});
     block.ragged = {blend * 12, blend * 40};
     block.roughness = layer.roughness;
     block.colourLayer = colour ? float(index) : -1.0f;
@@ -90,6 +91,7 @@ void TerrainLayers::update(const io::Terrain& terrain, const io::Assets& assets,
         normals[i] = assets.layers[i].normal;
     }
     block.layers = int(count);
+    m_asksForFlow = std::ranges::any_of(terrain.layers, [](const io::TerrainLayer& layer) { return layer.flow != glm::vec2{0, 1}; });
     for (std::size_t i = 0; i < count; ++i)
         block.layer[i] = layerBlock(terrain.layers[i], colours[i] != nullptr, normals[i] != nullptr, int(i));
     if (count == 0) { // bare earth

@@ -8,29 +8,31 @@
 namespace renderer {
 namespace {
 
-std::int16_t nearest(float v) // std::lround() takes longer than all the rest of a normal
-{
-    return std::int16_t(int(v + 32768.5f) - 32768);
-}
+// A part of a map with a texel more on each side, as far as there are some.
+struct Around {
+    io::HeightGrid heights;
+    glm::ivec2 first; // texel
 
-// Of the texels of `rect`, row by row.
-Normals normalsOf(const io::HeightMap& map, const io::TexelRect& rect)
+    Around(const io::HeightMap& map, const io::TexelRect& part)
+        : heights{map.read({glm::max(part.low - io::Texel{1}, io::Texel{0}), glm::min(part.high + io::Texel{1}, io::Texel{map.size})})},
+          first{glm::max(part.low - io::Texel{1}, io::Texel{0})}
+    {
+    }
+    const float* at(int x, int z) const { return &heights.metres[std::size_t(z - first.y) * heights.size.x + (x - first.x)]; }
+};
+
+// Of the texels [low, high) of a row of a map that is `width` wide; the three rows begin at `low`.
+void normalRow(const float* north, const float* here, const float* south, float metresZ, float metres, int low, int high, int width, glm::i16vec2* out)
 {
-    const glm::ivec2 low{rect.low}, high{rect.high};
-    const io::TexelRect around{glm::max(rect.low - io::Texel{1}, io::Texel{0}), glm::min(rect.high + io::Texel{1}, io::Texel{map.size})};
-    const io::HeightGrid heights = map.read(around);
-    const glm::ivec2 first{around.low}, last = heights.size - 1;
-    Normals normals;
-    normals.reserve(std::size_t(high.x - low.x) * (high.y - low.y));
-    const auto step = float(map.metresPerTexel);
-    for (int z = low.y - first.y; z < high.y - first.y; ++z)
-        for (int x = low.x - first.x; x < high.x - first.x; ++x) {
-            const int x0 = std::max(x - 1, 0), x1 = std::min(x + 1, last.x);
-            const int z0 = std::max(z - 1, 0), z1 = std::min(z + 1, last.y);
-            normals.push_back(normalBetween({heights.at(x0, z), heights.at(x1, z)}, step * float(x1 - x0),
-                                            {heights.at(x, z0), heights.at(x, z1)}, step * float(z1 - z0)));
-        }
-    return normals;
+    const auto at = [&](int i, int left, int right) {
+        return normalBetween({here[i - left], here[i + right]}, metres * float(left + right), {north[i], south[i]}, metresZ);
+    };
+    int i = 0;
+    const int last = width - 1 - low, end = high - low;
+    if (low == 0) *out++ = at(i, 0, std::min(1, last)), ++i;
+    for (const int inner = std::min(end, last); i < inner; ++i)
+        *out++ = at(i, 1, 1);
+    if (i < end) *out = at(i, 1, 0);
 }
 
 // The mean of four texels of a mip that is `size` large. Of an odd side the last row or column is left out, as of any mip.
@@ -46,7 +48,8 @@ public:
     void load(std::shared_ptr<const io::HeightMap> map) override
     {
         m_heights = gl::Texture{{.label = "ground heights", .size = map->size, .format = GL_R32F, .filter = GL_NEAREST}};
-        m_heights.upload(map->read(map->texels()).metres.data(), GL_RED, GL_FLOAT);
+        const Around all{*map, map->texels()};
+        m_heights.upload(all.heights.metres.data(), GL_RED, GL_FLOAT);
         m_normals = gl::Texture{{.label = "ground normals",
                                  .size = map->size,
                                  .format = GL_RG16_SNORM,
@@ -54,14 +57,16 @@ public:
         m_normalMips.clear();
         for (int mip = 0; mip < m_normals.mips(); ++mip)
             m_normalMips.emplace_back(std::size_t(m_normals.size(mip).x) * m_normals.size(mip).y);
-        uploadNormals(*map, map->texels());
+        uploadNormals(*map, map->texels(), all);
     }
 
     void change(std::shared_ptr<const io::HeightMap> map, const io::TexelRect& changed) override
     {
-        const io::HeightGrid part = map->read(changed);
-        m_heights.uploadPart(glm::ivec2{changed.low}, part.size, part.metres.data(), GL_RED, GL_FLOAT);
-        uploadNormals(*map, changed);
+        // A normal looks at its neighbours, so those around what changed change too.
+        const io::TexelRect touched{glm::max(changed.low - io::Texel{1}, io::Texel{0}), glm::min(changed.high + io::Texel{1}, io::Texel{map->size})};
+        const Around part{*map, touched};
+        m_heights.uploadPart(changed.low, changed.high - changed.low, part.at(int(changed.low.x), int(changed.low.y)), GL_RED, GL_FLOAT, 0, 0, part.heights.size.x);
+        uploadNormals(*map, touched, part);
     }
 
     void loadCover(std::shared_ptr<const io::CoverMap> cover) override
@@ -93,22 +98,24 @@ public:
     }
 
 private:
-    // A normal looks at its neighbours, so those around what changed change too.
-    void uploadNormals(const io::HeightMap& map, const io::TexelRect& changed)
+    void uploadNormals(const io::HeightMap& map, const io::TexelRect& part, const Around& around)
     {
-        glm::ivec2 low = glm::max(glm::ivec2{changed.low} - 1, glm::ivec2{0}), high = glm::min(glm::ivec2{changed.high} + 1, map.size);
-        const Normals normals = normalsOf(map, {low, high});
+        glm::ivec2 low{part.low}, high{part.high};
+        const auto metres = float(map.metresPerTexel);
         for (int mip = 0; mip < m_normals.mips(); ++mip) {
             Normals& own = m_normalMips[std::size_t(mip)];
             const glm::ivec2 size = m_normals.size(mip);
-            Normals part;
-            for (int z = low.y; z < high.y; ++z)
-                for (int x = low.x; x < high.x; ++x) {
-                    const glm::i16vec2 normal = mip == 0 ? normals[part.size()] : halved(m_normalMips[std::size_t(mip) - 1], m_normals.size(mip - 1), x, z);
-                    own[std::size_t(z) * size.x + x] = normal;
-                    part.push_back(normal);
+            for (int z = low.y; z < high.y; ++z) {
+                glm::i16vec2* out = &own[std::size_t(z) * size.x + low.x];
+                if (mip > 0) {
+                    for (int x = low.x; x < high.x; ++x)
+                        *out++ = halved(m_normalMips[std::size_t(mip) - 1], m_normals.size(mip - 1), x, z);
+                } else {
+                    const int north = std::max(z - 1, 0), south = std::min(z + 1, size.y - 1);
+                    normalRow(around.at(low.x, north), around.at(low.x, z), around.at(low.x, south), metres * float(south - north), metres, low.x, high.x, size.x, out);
                 }
-            m_normals.uploadPart(low, high - low, part.data(), GL_RG, GL_SHORT, mip);
+            }
+            m_normals.uploadPart(low, high - low, &own[std::size_t(low.y) * size.x + low.x], GL_RG, GL_SHORT, mip, 0, size.x);
             const glm::ivec2 above = m_normals.size(mip + 1);
             low = glm::min(low / 2, above - 1);
             high = glm::min((high + 1) / 2, above);
@@ -122,13 +129,6 @@ private:
 };
 
 } // namespace
-
-glm::i16vec2 normalBetween(glm::vec2 alongX, float metresX, glm::vec2 alongZ, float metresZ)
-{
-    const float dx = (alongX.x - alongX.y) / metresX, dz = (alongZ.x - alongZ.y) / metresZ;
-    const float scale = 32767 / std::sqrt(dx * dx + dz * dz + 1);
-    return {nearest(dx * scale), nearest(dz * scale)};
-}
 
 std::unique_ptr<TerrainTexels> wholeTexels()
 {

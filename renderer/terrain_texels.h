@@ -6,6 +6,7 @@
 #include "renderer/gpu_frame.h"
 #include "renderer/shaders/shared/terrain.h"
 
+#include <cmath>
 #include <memory>
 
 namespace renderer {
@@ -13,7 +14,13 @@ namespace renderer {
 using Normals = std::vector<glm::i16vec2>; // x and z of unit normals, as GL_RG16_SNORM
 
 // From the heights at both sides along x and along z, which lie so many metres apart.
-glm::i16vec2 normalBetween(glm::vec2 alongX, float metresX, glm::vec2 alongZ, float metresZ);
+inline glm::i16vec2 normalBetween(glm::vec2 alongX, float metresX, glm::vec2 alongZ, float metresZ)
+{
+    const auto nearest = [](float v) { return std::int16_t(int(v + 32768.5f) - 32768); }; // std::lround() takes longer than all the rest
+    const float dx = (alongX.x - alongX.y) / metresX, dz = (alongZ.x - alongZ.y) / metresZ;
+    const float scale = 32767 / std::sqrt(dx * dx + dz * dz + 1);
+    return {nearest(dx * scale), nearest(dz * scale)};
+}
 
 class TerrainTexels {
 public:

@@ -117,6 +117,7 @@ void fields(auto& v, Of<TerrainLayer> auto& l)
     v("metres", l.metres, Hint{.min = 0.05, .max = 10000, .unit = "m"});
     v("slope", l.slope, Hint{.min = 0, .max = 90, .unit = "deg"});
     v("altitude", l.altitude, Hint{.min = -100000, .max = 100000, .unit = "m"});
+    v("flow", l.flow, Hint{.min = 0, .max = 1});
     v("blend", l.blend, Hint{.min = 0.001, .max = 1});
 }
 

@@ -20,7 +20,8 @@ struct TerrainLayer {
     float metres = 4;              // one repeat of the texture, m
     glm::vec2 slope{0, 90};        // degrees from level
     glm::vec2 altitude{-1e5f, 1e5f}; // m
-    float blend = 0.3f;            // width of the transition, share of 15 degrees or 40 m
+    glm::vec2 flow{0, 1};          // as io::GroundFlow: 0 ridges .. 1 rivers
+    float blend = 0.3f;            // width of the transition, share of 15 degrees, 40 m or a fifth of the flow
     Extra extra;
     bool operator==(const TerrainLayer&) const = default;
 };

@@ -102,16 +102,19 @@ void Texture::upload(const void* pixels, GLenum format, GLenum type, int mip, in
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
-void Texture::uploadPart(glm::ivec2 low, glm::ivec2 extent, const void* pixels, GLenum format, GLenum type, int mip, int layer) const
+void Texture::uploadPart(glm::ivec2 low, glm::ivec2 extent, const void* pixels, GLenum format, GLenum type, int mip, int layer,
+                         int stride) const
 {
     EXPECTS(glm::all(glm::greaterThanEqual(low, glm::ivec2{0})) && glm::all(glm::lessThanEqual(low + extent, size(mip))));
     if (extent.x <= 0 || extent.y <= 0) return;
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, stride);
     if (m_layers) {
         glTextureSubImage3D(id(), mip, low.x, low.y, layer, extent.x, extent.y, 1, format, type, pixels);
     } else {
         glTextureSubImage2D(id(), mip, low.x, low.y, extent.x, extent.y, format, type, pixels);
     }
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 

@@ -44,8 +44,9 @@ public:
 
     // Whole mip of one layer, rows tightly packed.
     void upload(const void* pixels, GLenum format, GLenum type, int mip = 0, int layer = 0) const;
-    // A part of a mip of one layer.
-    void uploadPart(glm::ivec2 low, glm::ivec2 extent, const void* pixels, GLenum format, GLenum type, int mip = 0, int layer = 0) const;
+    // A part of a mip of one layer; its rows lie `stride` pixels apart, 0: tightly packed.
+    void uploadPart(glm::ivec2 low, glm::ivec2 extent, const void* pixels, GLenum format, GLenum type, int mip = 0, int layer = 0,
+                    int stride = 0) const;
 
 private:
     Handle<DeleteTexture> m_handle;

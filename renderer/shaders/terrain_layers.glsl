@@ -1,6 +1,9 @@
-// Which two layers cover a point of the ground: up to 32, by slope and altitude or by hand.
+// Which two layers cover a point of the ground: up to 32, by slope, altitude and flow or by hand.
 layout(binding = NOISE_UNIT) uniform sampler2D noiseField;
 layout(binding = GROUND_NORMALS_UNIT) uniform MAP_TEXTURE groundNormals;
+#ifdef FLOW
+layout(binding = FLOW_UNIT) uniform sampler2D groundFlow; // io::GroundFlow
+#endif
 
 float ramps(float value, vec4 ramp)
 {
@@ -21,12 +24,15 @@ struct Choice {
     float firstShare, secondShare;
 };
 
-// `where`: slope in degrees, altitude in m, and the noise that breaks borders.
-void consider(inout Choice c, const int index, vec3 where)
+// `where`: slope in degrees, altitude in m, the noise that breaks borders, and flow.
+void consider(inout Choice c, const int index, vec4 where)
 {
     TerrainLayer layer = terrain.layer[index];
     vec2 moved = where.xy + where.z * layer.ragged;
     float share = ramps(moved.x, layer.slopeRamps) * ramps(moved.y, layer.altitudeRamps);
+#ifdef FLOW
+    share *= ramps(where.w + where.z * 0.04, layer.flowRamps);
+#endif
     share *= share * (3.0 - 2.0 * share) * c.shown;
     c.shown -= share;
     bool top = share > c.firstShare;
@@ -124,7 +130,10 @@ GroundNoise groundNoise(vec2 metres)
 Choice layersAt(vec2 texel, float height, vec3 normal, GroundNoise noise)
 {
     float ragged = (noise.near.b - 0.5) * 1.1 + (noise.far.b - 0.5) * 1.3;
-    vec3 where = quadShared(vec3(slopeOf(normal), height, ragged));
+    vec4 where = vec4(quadShared(vec3(slopeOf(normal), height, ragged)), 0.0);
+#ifdef FLOW
+    where.w = quadShared(vec3(texture(groundFlow, texel * terrain.flowScale + 0.5 / vec2(textureSize(groundFlow, 0))).r, 0.0, 0.0)).x;
+#endif
     // Later layers lie over earlier ones; of what then shows, keep the two largest shares. Written out layer by
     // layer: software GL reads a uniform block far faster by constant numbers than by a loop's.
     Choice choice = Choice(1.0, 0, 0, 0.0, 0.0);

@@ -132,6 +132,39 @@ TEST(Terrain, WhatWasPaintedIsShownAndFollowsInPart)
     EXPECT_EQ(test::shared().glErrors(), 0u);
 }
 
+// A valley that falls along z: a layer that asks for much water lies in its bed, and follows when the bed is moved.
+TEST(Terrain, LayersMayAskWhereWaterGathers)
+{
+    const auto map = test::heightMap({401, 401}, 4, [](double x, double z) { return std::abs(x) * 0.3 + z * 0.1; });
+    const auto moved = test::heightMap({401, 401}, 4, [](double x, double z) { return std::abs(x - 120) * 0.3 + z * 0.1; });
+    test::TestWorld world;
+    world.scene.exchange(io::Terrain{.heightMap = "terrain/map.png",
+                                     .origin = map->origin,
+                                     .layers = {{.name = "green", .colour = {0, 0.5f, 0}}, {.name = "red", .colour = {0.5f, 0, 0}, .flow = {0.45f, 1}, .blend = 0.05f}}});
+    renderer::FrameInput in = test::frame(kSize, {.eye = {0, 500, 0}, .pitch = -90});
+    in.show = renderer::Show::Albedo;
+    const auto reddest = [&] { // column, of the picture's middle row
+        test::shared().render(in);
+        const io::Image image = test::shared().readPicture();
+        std::vector<int> columns;
+        for (int x = 0; x < kSize.x; ++x)
+            if (image.row<glm::u8vec4>(kSize.y / 2)[x].x > image.row<glm::u8vec4>(kSize.y / 2)[x].y) columns.push_back(x);
+        return columns;
+    };
+    world.scene.exchange(map);
+    test::load(world);
+    const std::vector<int> bed = reddest();
+    ASSERT_FALSE(bed.empty());
+    EXPECT_LT(bed.size(), 40u);
+    EXPECT_NEAR(bed[bed.size() / 2], kSize.x / 2, 6);
+    world.scene.exchange(std::make_shared<const io::HeightMap>(map->with(moved->read(moved->texels()), {0, 0})));
+    test::shared().update(world.scene, world.assets, {.heights = {map->texels()}});
+    const std::vector<int> other = reddest();
+    ASSERT_FALSE(other.empty());
+    EXPECT_GT(other[other.size() / 2], kSize.x / 2 + 20);
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
 TEST(Terrain, HolesAreSeenThroughByTheCameraAndTheSun)
 {
     const auto map = test::heightMap({201, 201}, 1, [](double, double) { return 0.0; });

@@ -1,11 +1,13 @@
 // Golden pictures: each entry of pictures.json is drawn and compared with pictures/NAME.png. A picture that is too far
 // off leaves NAME.now.png and NAME.difference.png in the build folder.
+#include "editor/ground_making.h"
 #include "io/files/atomic_file.h"
 #include "io/files/image_file.h"
 #include "io/files/json.h"
 #include "tests/golden/compare.h"
 #include "tests/golden/valley.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
 
@@ -83,6 +85,47 @@ TEST(GoldenPictures, valleyLooksAsItDid)
     for (const Golden& golden : readList())
         check(golden, draw(golden));
     EXPECT_EQ(valley().renderer().glErrors(), 0u);
+}
+
+// A landscape as the editor makes them, under the valley's textures, from its foot to where it is small; by both vertex stages.
+TEST(GoldenPictures, aMountainAtThreeDistances)
+{
+    fs::create_directories(kOut);
+    const auto ground = editor::generateGround({.seed = 3, .width = 1025, .depth = 1025, .metresPerTexel = 4});
+    ASSERT_TRUE(ground) << ground.error().text();
+    const io::Scene& plain = valley().document->scene();
+    const auto map = std::make_shared<const io::HeightMap>(*ground);
+    io::Scene mountain;
+    mountain.exchange(plain.environment());
+    mountain.exchange(io::Terrain{.heightMap = "terrain/mountain.png",
+                                  .metresPerTexel = map->metresPerTexel,
+                                  .origin = map->origin,
+                                  .layers = {{.name = "grass", .colour = {0.13f, 0.17f, 0.05f}},
+                                             {.name = "scree", .colour = {0.32f, 0.3f, 0.27f}, .slope = {28, 90}},
+                                             {.name = "rock", .colour = {0.23f, 0.22f, 0.21f}, .slope = {36, 90}},
+                                             {.name = "snow", .colour = {0.75f, 0.77f, 0.8f}, .roughness = 0.7f, .slope = {0, 46}, .altitude = {560, 1e5f}},
+                                             {.name = "gravel", .colour = {0.42f, 0.4f, 0.36f}, .slope = {0, 30}, .flow = {0.72f, 1}}}});
+    mountain.exchange(map);
+    renderer::Renderer& renderer = valley().renderer();
+    renderer.update(mountain, {}, {.everything = true});
+    glm::ivec2 summit{0};
+    for (int z = 200; z < 500; ++z)
+        for (int x = 200; x < 800; ++x)
+            if (map->at(x, z) > map->at(summit.x, summit.y)) summit = {x, z};
+    const glm::dvec3 top{map->origin.x + summit.x * 4.0, map->at(summit.x, summit.y), map->origin.y + summit.y * 4.0};
+    for (const auto& [name, away, above] : {std::tuple{"mountain-near", 300.0, 40.0}, {"mountain", 1000.0, 90.0}, {"mountain-far", 2400.0, 420.0}}) {
+        io::Camera camera{.eye = top + glm::normalize(glm::dvec3{0.2, 0, 1}) * away, .yaw = float(glm::degrees(std::atan2(0.2, 1.0))), .fov = 50};
+        camera.eye.y = map->height(camera.eye.x, camera.eye.z).value_or(0) + above;
+        camera.pitch = float(glm::degrees(std::atan2(top.y - camera.eye.y, away))) - 4;
+        for (const auto stages : {renderer::GroundStages::Grid, renderer::GroundStages::Tessellation}) {
+            renderer::FrameInput in{.camera = camera, .size = {480, 270}};
+            in.settings.terrain = stages;
+            renderer.render(in);
+            check({.name = name}, renderer.readPicture());
+        }
+    }
+    EXPECT_EQ(renderer.glErrors(), 0u);
+    renderer.update(plain, valley().document->assets(), {.everything = true});
 }
 
 } // namespace

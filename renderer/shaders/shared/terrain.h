@@ -14,16 +14,17 @@ struct TerrainPatch {
 };
 SHARED_STRUCT_END(TerrainPatch, 32)
 
-// A rule is a product of four ramps clamp(value * slope + offset): where slope angle and altitude rise into their
-// range and fall out of it.
+// A rule is a product of six ramps clamp(value * slope + offset): where slope angle, altitude and flow rise into
+// their range and fall out of it.
 struct TerrainLayer {
     vec3 colour;      float repeats;     // linear factor; 1 / m
     vec4 slopeRamps;                     // rise: factor, offset; fall: factor, offset; of degrees
     vec4 altitudeRamps;                  // the same, of m
+    vec4 flowRamps;                      // the same, of io::GroundFlow's values
     vec2 ragged;      float roughness; float colourLayer; // how far noise moves the borders, degrees and m; -1: no texture
     float normalLayer; float unused0; float unused1; float unused2;
 };
-SHARED_STRUCT_END(TerrainLayer, 80)
+SHARED_STRUCT_END(TerrainLayer, 96)
 
 struct Terrain {
     vec2 lastTexel;    float metres;     int layers;   // size - 1; m per texel
@@ -31,10 +32,10 @@ struct Terrain {
     vec3 levelsFrom;   float eyeHeight;                // m, from the origin: the eye that the levels are chosen for; m
     float segmentAngle; int windows; int windowSide; float windowReach; // rad that a tessellated edge's segment takes at least; levels
                                                        // held as windows around the eye, 0: all of the map is there; samples; texels
-    vec2 windowsFrom;  float unused0;    float unused1; // texel
+    vec2 windowsFrom;  vec2 flowScale;                 // texel; cells of the flow a texel, over its size
     TerrainLayer layer[TERRAIN_LAYERS];
 };
-SHARED_STRUCT_END(Terrain, 2640)
+SHARED_STRUCT_END(Terrain, 3152)
 
 SHARED_END
 #endif
