@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
+#include <limits>
 
 namespace editor {
 namespace {
@@ -84,35 +86,58 @@ void TerrainRay::update(std::shared_ptr<const io::HeightMap> heights, const io::
 
 void TerrainRay::build(std::size_t level, const glm::ivec2& low, const glm::ivec2& high)
 {
-    Level& own = m_levels[level];
+    if (level > 0) return join(m_levels[level - 1], m_levels[level], low, high);
+    constexpr int kWorthAThread = 1 << 18; // leaves
+    const int rows = high.y - low.y, middle = low.y + rows / 2;
+    if (rows < 2 || std::int64_t(rows) * (high.x - low.x) < kWorthAThread) return buildLeaves(low, high);
+    const auto upper = std::async(std::launch::async, [&] { buildLeaves(low, {high.x, middle}); });
+    buildLeaves({low.x, middle}, high);
+}
+
+void TerrainRay::join(const Level& below, Level& level, const glm::ivec2& low, const glm::ivec2& high)
+{
     for (int z = low.y; z < high.y; ++z)
         for (int x = low.x; x < high.x; ++x) {
-            glm::vec2& range = own.range[std::size_t(z) * own.size.x + x];
-            if (level == 0) {
-                range = rangeOfLeaf({x, z});
-                continue;
-            }
-            const Level& below = m_levels[level - 1];
             const glm::ivec2 last = glm::min(glm::ivec2{x, z} * 2 + 1, below.size - 1);
-            range = below.range[std::size_t(z) * 2 * below.size.x + x * 2];
+            glm::vec2 range = below.range[std::size_t(z) * 2 * below.size.x + x * 2];
             for (int row = z * 2; row <= last.y; ++row)
                 for (int column = x * 2; column <= last.x; ++column) {
                     const glm::vec2 part = below.range[std::size_t(row) * below.size.x + column];
                     range = {std::min(range.x, part.x), std::max(range.y, part.y)};
                 }
+            level.range[std::size_t(z) * level.size.x + x] = range;
         }
 }
 
-glm::vec2 TerrainRay::rangeOfLeaf(glm::ivec2 node) const
+// A row of leaves at a time: the lowest and highest of its rows of texels at each x, then of the texels of each leaf.
+void TerrainRay::buildLeaves(const glm::ivec2& low, const glm::ivec2& high)
 {
-    const glm::ivec2 last = glm::min((node + 1) * kLeaf, m_heights->size - 1);
-    glm::vec2 range{m_heights->at(node.x * kLeaf, node.y * kLeaf)};
-    for (int z = node.y * kLeaf; z <= last.y; ++z)
-        for (int x = node.x * kLeaf; x <= last.x; ++x) {
-            const float metres = m_heights->at(x, z);
-            range = {std::min(range.x, metres), std::max(range.y, metres)};
+    Level& leaves = m_levels.front();
+    const int first = low.x * kLeaf, end = std::min(high.x * kLeaf, m_heights->size.x - 1) + 1;
+    std::vector<float> lowest(std::size_t(end - first)), highest = lowest;
+    for (int z = low.y; z < high.y; ++z) {
+        std::ranges::fill(lowest, std::numeric_limits<float>::infinity());
+        std::ranges::fill(highest, -std::numeric_limits<float>::infinity());
+        const int last = std::min((z + 1) * kLeaf, m_heights->size.y - 1);
+        for (int row = z * kLeaf; row <= last; ++row) {
+            float *l = lowest.data(), *h = highest.data();
+            m_heights->field().eachRun({{first, row}, {end, row + 1}}, [&](const float* run, std::size_t count) {
+                for (std::size_t i = 0; i < count; ++i) {
+                    l[i] = std::min(l[i], run[i]);
+                    h[i] = std::max(h[i], run[i]);
+                }
+                l += count;
+                h += count;
+            });
         }
-    return range;
+        for (int x = low.x; x < high.x; ++x) {
+            const int from = x * kLeaf - first, to = std::min(from + kLeaf, end - 1 - first);
+            glm::vec2 range{lowest[std::size_t(from)], highest[std::size_t(from)]};
+            for (int i = from + 1; i <= to; ++i)
+                range = {std::min(range.x, lowest[std::size_t(i)]), std::max(range.y, highest[std::size_t(i)])};
+            leaves.range[std::size_t(z) * leaves.size.x + x] = range;
+        }
+    }
 }
 
 std::optional<io::TerrainHit> TerrainRay::hit(const io::Ray& ray, double maxDistance) const

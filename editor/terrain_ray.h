@@ -26,12 +26,13 @@ public:
     std::optional<io::TerrainHit> hit(const io::Ray& ray, double maxDistance = 1e9) const;
 
 private:
-    struct Level { // one node a square of 4^level * 4 texels
+    struct Level { // one node a square of 2^level * 4 cells
         glm::ivec2 size{0};
         std::vector<glm::vec2> range; // lowest and highest, m
     };
     void build(std::size_t level, const glm::ivec2& low, const glm::ivec2& high); // those nodes of it
-    glm::vec2 rangeOfLeaf(glm::ivec2 node) const;
+    static void join(const Level& below, Level& level, const glm::ivec2& low, const glm::ivec2& high);
+    void buildLeaves(const glm::ivec2& low, const glm::ivec2& high);
     struct Query;
     void descend(Query& query, int level, glm::ivec2 node) const;
     void leaf(Query& query, glm::ivec2 node) const;

@@ -2,12 +2,14 @@
 
 #include "io/base/contract.h"
 #include "io/files/atomic_file.h"
-#include "io/files/image_file.h"
-#include "io/files/png_file.h"
+#include "io/files/image_rows.h"
+#include "io/files/void_filling.h"
 #include "io/scene/field_words.h"
+#include "io/scene/height_map_builder.h"
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <limits>
 
 namespace io {
@@ -15,7 +17,6 @@ namespace {
 
 constexpr float kVoid = std::numeric_limits<float>::quiet_NaN();
 constexpr float kHighest = 1e5f; // m; what is beyond is no height but a mark or an error
-constexpr int kSmoothings = 32;
 
 bool isVoid(float metres)
 {
@@ -24,167 +25,108 @@ bool isVoid(float metres)
            metres == -9999;
 }
 
-template <class T> std::vector<float> scaled(const Image& image, double low, double high)
-{
-    const double step = (high - low) / double(std::numeric_limits<T>::max());
-    std::vector<float> metres;
-    metres.reserve(std::size_t(image.size.x) * image.size.y);
-    for (int z = 0; z < image.size.y; ++z)
-        for (int x = 0; x < image.size.x; ++x)
-            metres.push_back(float(low + step * image.row<T>(z)[std::size_t(x) * image.channels]));
-    return metres;
-}
-
-std::vector<float> plain(const Image& image)
-{
-    std::vector<float> metres;
-    metres.reserve(std::size_t(image.size.x) * image.size.y);
-    for (int z = 0; z < image.size.y; ++z) {
-        for (int x = 0; x < image.size.x; ++x) {
-            const float value = image.row<float>(z)[std::size_t(x) * image.channels];
-            metres.push_back(isVoid(value) ? kVoid : value);
+// Rows of samples to metres: the first channel of each texel.
+class ToMetres {
+public:
+    ToMetres(const ImageLayout& layout, const Terrain& terrain) : m_layout{layout}, m_low{terrain.minHeight}, m_high{terrain.maxHeight} {}
+    void row(const std::byte* from, std::span<float> metres) const
+    {
+        if (m_layout.type == PixelType::U8) return scaled<std::uint8_t>(from, metres);
+        if (m_layout.type == PixelType::U16) return scaled<std::uint16_t>(from, metres);
+        const auto* values = reinterpret_cast<const float*>(from);
+        for (std::size_t x = 0; x < metres.size(); ++x) {
+            const float value = values[x * std::size_t(m_layout.channels)];
+            metres[x] = isVoid(value) ? kVoid : value;
         }
     }
-    return metres;
+
+private:
+    template <class T> void scaled(const std::byte* from, std::span<float> metres) const
+    {
+        const auto* values = reinterpret_cast<const T*>(from);
+        const double low = m_low, step = (m_high - m_low) / double(std::numeric_limits<T>::max());
+        if (m_layout.channels == 1) // a loop of its own, which becomes vector instructions
+            for (std::size_t x = 0; x < metres.size(); ++x)
+                metres[x] = float(low + step * values[x]);
+        else
+            for (std::size_t x = 0; x < metres.size(); ++x)
+                metres[x] = float(low + step * values[x * std::size_t(m_layout.channels)]);
+    }
+
+    ImageLayout m_layout;
+    double m_low, m_high; // m
+};
+
+// Rows of about 4 MB together, whole steps of the decoder.
+int bandOf(const ImageRows& rows)
+{
+    constexpr std::size_t kBytes = 4 << 20, kRows = 512;
+    const int wanted = int(std::clamp<std::size_t>(kBytes / rows.layout().rowBytes(), 1, kRows));
+    return std::max(wanted / rows.step(), 1) * rows.step();
 }
 
-// The mean of the neighbours that are known; NaN when there are none.
-float meanAround(const HeightGrid& map, int x, int z)
+// Decodes one band while another thread makes heights of the one before.
+Status readRows(ImageRows& rows, const Terrain& terrain, HeightMapBuilder& map, const Progress& progress, const std::filesystem::path& file)
 {
-    float sum = 0;
-    int count = 0;
-    for (int dz = -1; dz <= 1; ++dz) {
-        for (int dx = -1; dx <= 1; ++dx) {
-            if ((dx == 0 && dz == 0) || x + dx < 0 || z + dz < 0 || x + dx >= map.size.x || z + dz >= map.size.y)
-                continue;
-            const float height = map.at(x + dx, z + dz);
-            if (std::isnan(height)) continue;
-            sum += height;
-            ++count;
+    const ImageLayout layout = rows.layout();
+    const ToMetres toMetres{layout, terrain};
+    const int band = std::min(bandOf(rows), layout.size.y);
+    std::vector<float> metres(std::size_t(layout.size.x));
+    const auto add = [&](const std::byte* from, int count) {
+        for (int i = 0; i < count; ++i) {
+            toMetres.row(from + layout.rowBytes() * std::size_t(i), metres);
+            map.addRow(metres);
+        }
+    };
+    std::vector<std::byte> decoded(layout.rowBytes() * std::size_t(band)), adding(band < layout.size.y ? decoded.size() : 0);
+    std::future<void> work; // on `adding`
+    for (int row = 0; row < layout.size.y; row += band) {
+        if (!report(progress, float(row) / float(layout.size.y), file.filename().string())) return Error{file.string(), "reading was cancelled"};
+        const int count = std::min(band, layout.size.y - row);
+        if (Status read = rows.next(count, decoded.data()); !read) return read;
+        if (work.valid()) work.get();
+        if (row + count == layout.size.y) {
+            add(decoded.data(), count);
+        } else {
+            std::swap(decoded, adding);
+            work = std::async(std::launch::async, add, adding.data(), count);
         }
     }
-    return count == 0 ? kVoid : sum / float(count);
+    return {};
 }
 
-using Texels = std::vector<glm::ivec2>;
-
-std::vector<float> meansAround(const HeightGrid& map, const Texels& texels)
+void complainOf(const ImageLayout& layout, const Terrain& terrain, const std::string& where, Complaints& complaints)
 {
-    std::vector<float> means;
-    means.reserve(texels.size());
-    for (const glm::ivec2& t : texels)
-        means.push_back(meanAround(map, t.x, t.y));
-    return means;
-}
-
-void set(HeightGrid& map, const glm::ivec2& texel, float metres)
-{
-    map.metres[std::size_t(texel.y) * map.size.x + texel.x] = metres;
-}
-
-// Texels next to a void one, that are void themselves and not in line yet.
-void addVoidNeighbours(const HeightGrid& map, const glm::ivec2& texel, std::vector<bool>& queued, Texels& ring)
-{
-    for (int dz = -1; dz <= 1; ++dz) {
-        for (int dx = -1; dx <= 1; ++dx) {
-            const glm::ivec2 t = texel + glm::ivec2{dx, dz};
-            if (t.x < 0 || t.y < 0 || t.x >= map.size.x || t.y >= map.size.y || !std::isnan(map.at(t.x, t.y))) continue;
-            const std::size_t index = std::size_t(t.y) * map.size.x + t.x;
-            if (queued[index]) continue;
-            queued[index] = true;
-            ring.push_back(t);
-        }
-    }
-}
-
-// Grows the known ground into the voids ring by ring, then lets what was filled settle like a membrane.
-std::size_t fillVoids(HeightGrid& map)
-{
-    std::vector<bool> queued(map.metres.size());
-    Texels ring, filled;
-    for (int z = 0; z < map.size.y; ++z)
-        for (int x = 0; x < map.size.x; ++x)
-            if (!std::isnan(map.at(x, z))) addVoidNeighbours(map, {x, z}, queued, ring);
-    while (!ring.empty()) {
-        const std::vector<float> means = meansAround(map, ring);
-        for (std::size_t i = 0; i < ring.size(); ++i)
-            set(map, ring[i], means[i]);
-        filled.insert(filled.end(), ring.begin(), ring.end());
-        Texels next;
-        for (const glm::ivec2& texel : ring)
-            addVoidNeighbours(map, texel, queued, next);
-        ring = std::move(next);
-    }
-    for (int pass = 0; pass < kSmoothings; ++pass) {
-        const std::vector<float> means = meansAround(map, filled);
-        for (std::size_t i = 0; i < filled.size(); ++i)
-            set(map, filled[i], means[i]);
-    }
-    return filled.size();
-}
-
-std::vector<float> metresOf(const Image& image, const Terrain& terrain, const std::string& where,
-                            Complaints& complaints)
-{
-    if (image.channels > 1)
+    if (layout.channels > 1)
         complaints.push_back({Severity::Warning, where, "a colour image as a height map; its first channel is used"});
-    if (image.type == PixelType::F32) return plain(image);
+    if (layout.type == PixelType::F32) return;
     if (terrain.maxHeight < terrain.minHeight)
         complaints.push_back({Severity::Warning, where, "max_height is below min_height; the ground is upside down"});
-    if (image.type == PixelType::U16) return scaled<std::uint16_t>(image, terrain.minHeight, terrain.maxHeight);
-    complaints.push_back({Severity::Warning, where,
-                          "8 bits make steps of " + numberText((terrain.maxHeight - terrain.minHeight) / 255) +
-                              " m; save it with 16 bits"});
-    return scaled<std::uint8_t>(image, terrain.minHeight, terrain.maxHeight);
+    if (layout.type == PixelType::U8)
+        complaints.push_back({Severity::Warning, where,
+                              "8 bits make steps of " + numberText((terrain.maxHeight - terrain.minHeight) / 255) +
+                                  " m; save it with 16 bits"});
 }
 
-} // namespace
-
-Result<HeightMap> readHeightMap(const std::filesystem::path& file, const Terrain& terrain, Complaints& complaints)
+Result<HeightMap> read(const std::filesystem::path& file, const Terrain& terrain, Complaints& complaints, const Progress& progress)
 {
     const std::string where = file.string();
-    const Result<Image> image = readImage(file);
-    if (!image) return image.error();
-    if (image->size.x < 2 || image->size.y < 2) return Error{where, "a height map needs at least 2 x 2 pixels"};
+    const auto rows = openImageRows(file, kLargestHeightMap);
+    if (!rows) return rows.error();
+    const ImageLayout layout = (*rows)->layout();
+    if (layout.size.x < 2 || layout.size.y < 2) return Error{where, "a height map needs at least 2 x 2 pixels"};
 
-    HeightGrid grid{.size = image->size, .metresPerTexel = terrain.metresPerTexel, .origin = terrain.origin};
-    grid.metres = metresOf(*image, terrain, where, complaints);
-    const bool voids = std::any_of(grid.metres.begin(), grid.metres.end(), [](float m) { return std::isnan(m); });
-    if (voids && std::all_of(grid.metres.begin(), grid.metres.end(), [](float m) { return std::isnan(m); }))
-        return Error{where, "a height map without a single height"};
-    if (voids)
-        complaints.push_back({Severity::Warning, where,
-                              std::to_string(fillVoids(grid)) + " heights are missing; filled from their neighbours"});
-    HeightMap map{grid};
-    map.shares = image->type != PixelType::F32;
+    HeightMapBuilder builder{layout.size};
+    if (Status whole = readRows(**rows, terrain, builder, progress, file); !whole) return whole.error();
+    complainOf(layout, terrain, where, complaints);
+    if (builder.voids() == std::size_t(layout.size.x) * std::size_t(layout.size.y)) return Error{where, "a height map without a single height"};
+    if (!fillVoids(builder, progress, file.filename().string())) return Error{where, "reading was cancelled"};
+    if (builder.voids() > 0)
+        complaints.push_back({Severity::Warning, where, std::to_string(builder.voids()) + " heights are missing; filled from their neighbours"});
+    HeightMap map = builder.finish(terrain.metresPerTexel, terrain.origin);
+    map.shares = layout.type != PixelType::F32;
     return map;
 }
-
-namespace {
-
-Result<std::string> encoded16(const HeightGrid& heights, double minHeight, double maxHeight)
-{
-    EXPECTS(maxHeight > minHeight);
-    Image image{.size = heights.size, .channels = 1, .type = PixelType::U16};
-    image.bytes.resize(image.rowBytes() * std::size_t(image.size.y));
-    auto* texel = image.row<std::uint16_t>(0);
-    for (const float metres : heights.metres) {
-        const double share = std::clamp((double(metres) - minHeight) / (maxHeight - minHeight), 0.0, 1.0);
-        *texel++ = std::uint16_t(std::lround(share * 65535));
-    }
-    return encodePng(image);
-}
-
-} // namespace
-
-Status writeHeightMap16(const std::filesystem::path& file, const HeightGrid& heights, double minHeight, double maxHeight)
-{
-    const Result<std::string> png = encoded16(heights, minHeight, maxHeight);
-    if (!png) return Error{file.string(), png.error().what};
-    return writeFile(file, *png);
-}
-
-namespace {
 
 std::string extensionOf(const std::filesystem::path& file)
 {
@@ -193,7 +135,46 @@ std::string extensionOf(const std::filesystem::path& file)
     return extension;
 }
 
+// A PNG of 16 bits; row(z, metres) fills one.
+template <class Row> Result<std::string> encoded16(glm::ivec2 size, double minHeight, double maxHeight, const Row& row)
+{
+    EXPECTS(maxHeight > minHeight);
+    std::vector<float> metres(std::size_t(size.x));
+    return encodePngRows({.size = size, .channels = 1, .type = PixelType::U16}, [&](int z, int, std::byte* to) {
+        row(z, metres);
+        auto* texel = reinterpret_cast<std::uint16_t*>(to);
+        for (const float m : metres) {
+            const double share = std::clamp((double(m) - minHeight) / (maxHeight - minHeight), 0.0, 1.0);
+            *texel++ = std::uint16_t(std::lround(share * 65535));
+        }
+    });
+}
+
+void copyRow(const HeightMap& heights, int z, std::span<float> metres)
+{
+    auto to = metres.begin();
+    heights.field().eachRun({{0, z}, {heights.size.x, z + 1}}, [&](const float* run, std::size_t count) { to = std::copy_n(run, count, to); });
+}
+
 } // namespace
+
+Result<HeightMap> readHeightMap(const std::filesystem::path& file, const Terrain& terrain, Complaints& complaints, const Progress& progress)
+{
+    try {
+        return read(file, terrain, complaints, progress);
+    } catch (const std::exception& error) { // there is not enough memory
+        return Error{file.string(), std::string{"cannot be decoded: "} + error.what()};
+    }
+}
+
+Status writeHeightMap16(const std::filesystem::path& file, const HeightGrid& heights, double minHeight, double maxHeight)
+{
+    const Result<std::string> png = encoded16(heights.size, minHeight, maxHeight, [&](int z, std::span<float> metres) {
+        std::copy_n(heights.metres.begin() + std::ptrdiff_t(metres.size()) * z, metres.size(), metres.begin());
+    });
+    if (!png) return Error{file.string(), png.error().what};
+    return writeFile(file, *png);
+}
 
 bool holdsHeights(const std::filesystem::path& file)
 {
@@ -203,7 +184,6 @@ bool holdsHeights(const std::filesystem::path& file)
 
 Result<std::string> encodeHeightMap(const HeightMap& heights, Terrain& terrain)
 {
-    const HeightGrid grid = heights.read(heights.texels());
     const std::string extension = extensionOf(terrain.heightMap);
     if (extension == ".png") {
         const double low = std::min(terrain.minHeight, terrain.maxHeight), high = std::max(terrain.minHeight, terrain.maxHeight);
@@ -213,12 +193,14 @@ Result<std::string> encodeHeightMap(const HeightMap& heights, Terrain& terrain)
             terrain.maxHeight = std::ceil(std::max({high, double(heights.max), terrain.minHeight + 1}));
         }
         if (terrain.minHeight > terrain.maxHeight) std::swap(terrain.minHeight, terrain.maxHeight); // an upside-down file is put right
-        return encoded16(grid, terrain.minHeight, terrain.maxHeight);
+        return encoded16(heights.size, terrain.minHeight, terrain.maxHeight,
+                         [&](int z, std::span<float> metres) { copyRow(heights, z, metres); });
     }
-    Image image{.size = grid.size, .channels = 1, .type = PixelType::F32};
-    image.bytes.resize(image.rowBytes() * std::size_t(image.size.y));
-    std::ranges::copy(grid.metres, image.row<float>(0));
-    return encodeFloatImage(extension, image);
+    const auto source = [&](int first, int count, std::byte* rows) {
+        for (int i = 0; i < count; ++i)
+            copyRow(heights, first + i, {reinterpret_cast<float*>(rows) + std::size_t(i) * std::size_t(heights.size.x), std::size_t(heights.size.x)});
+    };
+    return encodeFloatRows(extension, {.size = heights.size, .channels = 1, .type = PixelType::F32}, source);
 }
 
 } // namespace io

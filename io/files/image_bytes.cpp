@@ -1,7 +1,5 @@
 #include "io/files/image_bytes.h"
 
-#include "io/files/image_file.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -29,13 +27,12 @@ std::uint32_t bigEndian(std::string_view bytes, std::size_t at, int count)
 // PNG (ISO/IEC 15948) is a row of chunks: length, four letters, data, checksum.
 std::string pngWithoutMetadata(std::string_view bytes)
 {
-    constexpr std::array kKept = {"IHDR"sv, "PLTE"sv, "tRNS"sv, "IDAT"sv, "IEND"sv};
     std::string out{kPngStart};
     std::size_t at = kPngStart.size();
     while (at + 12 <= bytes.size()) {
         const std::size_t size = std::size_t(bigEndian(bytes, at, 4)) + 12;
         const std::string_view chunk = bytes.substr(at, size); // a cut-off one is for the decoder to refuse
-        if (std::find(kKept.begin(), kKept.end(), chunk.substr(4, 4)) != kKept.end()) out += chunk;
+        if (pngChunkHasPixels(chunk.substr(4, 4))) out += chunk;
         at += chunk.size();
     }
     return out;
@@ -97,6 +94,12 @@ bool soundDds(std::string_view bytes)
 
 } // namespace
 
+bool pngChunkHasPixels(std::string_view letters)
+{
+    constexpr std::array kKept = {"IHDR"sv, "PLTE"sv, "tRNS"sv, "IDAT"sv, "IEND"sv};
+    return std::find(kKept.begin(), kKept.end(), letters) != kKept.end();
+}
+
 std::string headerFault(std::string_view bytes)
 {
     return imageFormat(bytes) == "dds" && !soundDds(bytes) ? "its pixel format is damaged" : "";
@@ -115,20 +118,26 @@ std::optional<glm::u32vec2> declaredSize(std::string_view bytes)
     return size;
 }
 
-Status checkSides(std::int64_t width, std::int64_t height, const std::string& where)
+Status checkSides(std::int64_t width, std::int64_t height, const std::string& where, int largestSide)
 {
     if (width < 1 || height < 1) return Error{where, "an image of " + words(width, height)};
-    if (width > kLargestSide || height > kLargestSide)
-        return Error{where, words(width, height) + "; a side may have at most " + std::to_string(kLargestSide)};
+    if (width > largestSide || height > largestSide)
+        return Error{where, words(width, height) + "; a side may have at most " + std::to_string(largestSide)};
+    return {};
+}
+
+Status checkRows(const DecodedSize& size, const std::string& where, int largestSide)
+{
+    if (Status sides = checkSides(size.pixels.x, size.pixels.y, where, largestSide); !sides) return sides;
+    if (size.channels < 1 || size.channels > 64) // further channels than four are passed over
+        return Error{where, std::to_string(size.channels) + " channels; at most 4 are used"};
     return {};
 }
 
 Status checkSize(const DecodedSize& size, const std::string& where)
 {
+    if (Status rows = checkRows(size, where, kLargestSide); !rows) return rows;
     const auto [width, height] = std::pair{std::int64_t(size.pixels.x), std::int64_t(size.pixels.y)};
-    if (Status sides = checkSides(width, height, where); !sides) return sides;
-    if (size.channels < 1 || size.channels > 64) // further channels than four are passed over
-        return Error{where, std::to_string(size.channels) + " channels; at most 4 are used"};
     const auto sample = std::max<std::uint64_t>(size.sampleBytes, 1);
     if (std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(size.channels) * sample > kLargestImage)
         return Error{where, words(width, height) + " are more than 512 MiB; make it smaller"};

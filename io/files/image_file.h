@@ -19,7 +19,6 @@ constexpr std::uint64_t kLargestImage = std::uint64_t(512) << 20; // bytes once 
 Result<Image> decodeImage(std::string_view bytes, const std::string& where);
 Result<Image> readImage(const std::filesystem::path& file); // reads the file and decodes it
 
-Result<std::string> encodeFloatImage(const std::string& extension, const Image& image); // ".exr", ".tif", ".tiff"
 Status writeImage(const std::filesystem::path& file, const Image& image, int quality = 92); // by extension: png jpg exr
 
 } // namespace io
