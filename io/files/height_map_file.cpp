@@ -61,36 +61,36 @@ private:
 int bandOf(const ImageRows& rows)
 {
     constexpr std::size_t kBytes = 4 << 20, kRows = 512;
-    const int wanted = int(std::clamp<std::size_t>(kBytes / rows.layout().rowBytes(), 1, kRows));
-    return std::max(wanted / rows.step(), 1) * rows.step();
+    const int wanted = int(std::clamp<std::size_t>(kBytes / rows.packedRowBytes(), 1, kRows));
+    return std::min(std::max(wanted / rows.step(), 1) * rows.step(), rows.layout().size.y);
 }
 
-// Decodes one band while another thread makes heights of the one before.
+// Unpacks one band while another thread makes heights of the one before.
 Status readRows(ImageRows& rows, const Terrain& terrain, HeightMapBuilder& map, const Progress& progress, const std::filesystem::path& file)
 {
-    const ImageLayout layout = rows.layout();
-    const ToMetres toMetres{layout, terrain};
-    const int band = std::min(bandOf(rows), layout.size.y);
-    std::vector<float> metres(std::size_t(layout.size.x));
-    const auto add = [&](const std::byte* from, int count) {
+    const int all = rows.layout().size.y, band = bandOf(rows);
+    const ToMetres toMetres{rows.layout(), terrain};
+    std::vector<float> metres(std::size_t(rows.layout().size.x));
+    const auto add = [&](const std::byte* packed, int count) -> Status {
         for (int i = 0; i < count; ++i) {
-            toMetres.row(from + layout.rowBytes() * std::size_t(i), metres);
+            const auto pixels = rows.pixels(packed + rows.packedRowBytes() * std::size_t(i));
+            if (!pixels) return pixels.error();
+            toMetres.row(*pixels, metres);
             map.addRow(metres);
         }
+        return {};
     };
-    std::vector<std::byte> decoded(layout.rowBytes() * std::size_t(band)), adding(band < layout.size.y ? decoded.size() : 0);
-    std::future<void> work; // on `adding`
-    for (int row = 0; row < layout.size.y; row += band) {
-        if (!report(progress, float(row) / float(layout.size.y), file.filename().string())) return Error{file.string(), "reading was cancelled"};
-        const int count = std::min(band, layout.size.y - row);
-        if (Status read = rows.next(count, decoded.data()); !read) return read;
-        if (work.valid()) work.get();
-        if (row + count == layout.size.y) {
-            add(decoded.data(), count);
-        } else {
-            std::swap(decoded, adding);
-            work = std::async(std::launch::async, add, adding.data(), count);
-        }
+    std::vector<std::byte> unpacked(rows.packedRowBytes() * std::size_t(band)), adding(band < all ? unpacked.size() : 0);
+    std::future<Status> work; // on `adding`
+    for (int row = 0; row < all; row += band) {
+        if (!report(progress, float(row) / float(all), file.filename().string())) return Error{file.string(), "reading was cancelled"};
+        const int count = std::min(band, all - row);
+        if (Status read = rows.next(count, unpacked.data()); !read) return read;
+        if (work.valid())
+            if (Status added = work.get(); !added) return added;
+        if (row + count == all) return add(unpacked.data(), count);
+        std::swap(unpacked, adding);
+        work = std::async(std::launch::async, add, adding.data(), count);
     }
     return {};
 }

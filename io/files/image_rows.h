@@ -18,17 +18,22 @@ struct ImageLayout {
     std::size_t rowBytes() const { return std::size_t(size.x) * std::size_t(channels) * std::size_t(bytesOf(type)); }
 };
 
+// Decoded in two halves, so that one thread can unpack rows while another one makes pixels of those before.
 class ImageRows {
 public:
     virtual ~ImageRows() = default;
-    // The next `count` rows, laid out as in Image: a multiple of step(), or all that are left.
-    virtual Status next(int count, std::byte* rows) = 0;
+    // Unpacks the next `count` rows, packedRowBytes() each: a multiple of step(), or all that are left.
+    virtual Status next(int count, std::byte* packed) = 0;
+    // The pixels of the next row of those, laid out as in Image; they stay where they lie until the next call.
+    virtual Result<const std::byte*> pixels(const std::byte* packed) { return packed; }
 
     const ImageLayout& layout() const { return m_layout; }
-    int step() const { return m_step; } // rows that are decoded together
+    std::size_t packedRowBytes() const { return m_packedRowBytes > 0 ? m_packedRowBytes : m_layout.rowBytes(); }
+    int step() const { return m_step; } // rows that are unpacked together
 
 protected:
     ImageLayout m_layout;
+    std::size_t m_packedRowBytes = 0; // 0: as the pixels
     int m_step = 1;
 };
 

@@ -29,6 +29,8 @@ public:
     {
         if (!m_info || setjmp(png_jmpbuf(m_png))) return false;
         png_read_info(m_png, m_info);
+        m_plainGrey = png_get_color_type(m_png, m_info) == PNG_COLOR_TYPE_GRAY && png_get_bit_depth(m_png, m_info) >= 8 &&
+                      !png_get_valid(m_png, m_info, PNG_INFO_tRNS);
         png_set_expand(m_png);
         if constexpr (std::endian::native == std::endian::little) png_set_swap(m_png);
         png_set_interlace_handling(m_png);
@@ -54,6 +56,7 @@ public:
                 .channels = png_get_channels(m_png, m_info),
                 .type = png_get_bit_depth(m_png, m_info) == 16 ? PixelType::U16 : PixelType::U8};
     }
+    bool plainGrey() const { return m_plainGrey; } // of 8 or 16 bits in the file
     bool interlaced() const { return png_get_interlace_type(m_png, m_info) != PNG_INTERLACE_NONE; }
     const std::string& fault() const { return m_fault; }
 
@@ -69,6 +72,7 @@ private:
     std::string m_fault;
     png_structp m_png;
     png_infop m_info;
+    bool m_plainGrey = false;
 };
 
 } // namespace io

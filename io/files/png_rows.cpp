@@ -1,97 +1,98 @@
 #include "io/files/png_rows.h"
 
-#include "io/base/contract.h"
 #include "io/files/image_bytes.h"
+#include "io/files/png_chunks.h"
 #include "io/files/png_reader.h"
 
-#include <algorithm>
 #include <cstring>
+#include <vector>
 
 namespace io {
 namespace {
 
-// The chunks of a file that pixels depend on, one after another: as withoutMetadata() leaves a PNG.
-class PixelChunks {
+Status checkLayout(const ImageLayout& layout, const std::string& where, int largestSide)
+{
+    const std::size_t sample = layout.type == PixelType::U16 ? 2 : 1;
+    return checkRows({layout.size, layout.channels, sample}, where, largestSide);
+}
+
+class PngRows final : public ImageRows { // any, by libpng
 public:
-    explicit PixelChunks(FileReader file) : m_file{std::move(file)} {}
-    bool take(unsigned char* to, std::size_t size)
+    PngRows(std::unique_ptr<PngChunks> chunks, std::unique_ptr<PngReader> reader, std::string where)
+        : m_chunks{std::move(chunks)}, m_reader{std::move(reader)}, m_where{std::move(where)}
     {
-        while (size > 0) {
-            if (m_left == 0 && !toNext()) return false;
-            const std::size_t part = std::size_t(std::min<std::uint64_t>(size, m_left));
-            const std::size_t header = std::min(part, m_headerLeft);
-            std::memcpy(to, m_header + sizeof m_header - m_headerLeft, header);
-            m_headerLeft -= header;
-            if (m_file.read(to + header, part - header) != part - header) return false;
-            to += part;
-            size -= part;
-            m_left -= part;
-        }
-        return true;
+        m_layout = m_reader->layout();
     }
-
-private:
-    bool toNext()
+    Status next(int count, std::byte* packed) override
     {
-        constexpr std::uint64_t kChecksum = 4;
-        while (m_file.read(m_header, sizeof m_header) == sizeof m_header) {
-            const std::uint64_t length = std::uint64_t(m_header[0]) << 24 | m_header[1] << 16 | m_header[2] << 8 | m_header[3];
-            if (pngChunkHasPixels({reinterpret_cast<const char*>(m_header) + 4, 4})) {
-                m_headerLeft = sizeof m_header;
-                m_left = sizeof m_header + length + kChecksum;
-                return true;
-            }
-            if (!m_file.skip(length + kChecksum)) return false;
-        }
-        return false;
-    }
-
-    FileReader m_file;
-    unsigned char m_header[8] = {};
-    std::size_t m_headerLeft = 0;
-    std::uint64_t m_left = 8; // of the chunk, or of the signature before the first
-};
-
-class PngRows final : public ImageRows {
-public:
-    PngRows(FileReader file, std::string where) : m_chunks{std::move(file)}, m_where{std::move(where)}, m_reader{&m_chunks, take} {}
-
-    Result<bool> open(int largestSide) // false: interlaced
-    {
-        if (!m_reader.readHeader()) return Error{m_where, "not a readable png image: " + m_reader.fault()};
-        m_layout = m_reader.layout();
-        const std::size_t sample = m_layout.type == PixelType::U16 ? 2 : 1;
-        if (Status fits = checkRows({m_layout.size, m_layout.channels, sample}, m_where, largestSide); !fits) return fits.error();
-        return !m_reader.interlaced();
-    }
-    Status next(int count, std::byte* rows) override
-    {
-        m_row += count;
-        EXPECTS(m_row <= m_layout.size.y);
-        if (!m_reader.readNext(count, reinterpret_cast<png_bytep>(rows), m_layout.rowBytes())) return Error{m_where, "damaged: " + m_reader.fault()};
+        if (!m_reader->readNext(count, reinterpret_cast<png_bytep>(packed), m_layout.rowBytes())) return Error{m_where, "damaged: " + m_reader->fault()};
         return {};
     }
 
 private:
-    static void take(png_structp png, png_bytep to, std::size_t size)
+    std::unique_ptr<PngChunks> m_chunks; // which the reader takes from
+    std::unique_ptr<PngReader> m_reader;
+    std::string m_where;
+};
+
+// Grey without a palette or a transparent colour, as heights are: libpng has read its header. Unpacking takes as long as
+// undoing the filters, which libpng does on one thread after the other.
+class GreyPngRows final : public ImageRows {
+public:
+    GreyPngRows(std::unique_ptr<PngChunks> chunks, const ImageLayout& layout, std::string where)
+        : m_chunks{std::move(chunks)}, m_inflater{*m_chunks}, m_where{std::move(where)}, m_above(layout.rowBytes()), m_row(layout.rowBytes()),
+          m_pixels(std::size_t(layout.size.x))
     {
-        if (!static_cast<PixelChunks*>(png_get_io_ptr(png))->take(to, size)) PngReader::endsEarly(png);
+        m_layout = layout;
+        m_packedRowBytes = layout.rowBytes() + 1;
+    }
+    Status next(int count, std::byte* packed) override
+    {
+        if (!m_inflater.read(packed, m_packedRowBytes * std::size_t(count))) return Error{m_where, "damaged: " + m_inflater.fault()};
+        m_rows += count;
+        if (m_rows == m_layout.size.y && !m_chunks->finishData()) return Error{m_where, "damaged: " + m_chunks->fault()};
+        return {};
+    }
+    Result<const std::byte*> pixels(const std::byte* packed) override
+    {
+        std::swap(m_above, m_row);
+        const auto* filtered = reinterpret_cast<const unsigned char*>(packed);
+        const int pixel = bytesOf(m_layout.type);
+        if (!unfilterPng(filtered[0], pixel, filtered + 1, m_above.data(), m_row.data(), m_row.size()))
+            return Error{m_where, "damaged: bad adaptive filter value"};
+        if (pixel == 1 || std::endian::native == std::endian::big) return reinterpret_cast<const std::byte*>(m_row.data());
+        std::memcpy(m_pixels.data(), m_row.data(), m_row.size());
+        for (std::uint16_t& value : m_pixels)
+            value = std::uint16_t(value << 8 | value >> 8);
+        return reinterpret_cast<const std::byte*>(m_pixels.data());
     }
 
-    PixelChunks m_chunks;
+private:
+    std::unique_ptr<PngChunks> m_chunks;
+    PngInflater m_inflater;
     std::string m_where;
-    PngReader m_reader;
-    int m_row = 0;
+    std::vector<unsigned char> m_above, m_row; // in the file's order of bytes, which the filters work on
+    std::vector<std::uint16_t> m_pixels;
+    int m_rows = 0;
 };
+
+void take(png_structp png, png_bytep to, std::size_t size)
+{
+    if (!static_cast<PngChunks*>(png_get_io_ptr(png))->take(to, size)) PngReader::endsEarly(png);
+}
 
 } // namespace
 
 Result<std::unique_ptr<ImageRows>> openPngRows(FileReader file, const std::string& where, int largestSide)
 {
-    auto rows = std::make_unique<PngRows>(std::move(file), where);
-    const Result<bool> opened = rows->open(largestSide);
-    if (!opened) return opened.error();
-    return *opened ? std::unique_ptr<ImageRows>{std::move(rows)} : nullptr;
+    auto chunks = std::make_unique<PngChunks>(std::move(file));
+    auto reader = std::make_unique<PngReader>(chunks.get(), take);
+    if (!reader->readHeader()) return Error{where, "not a readable png image: " + reader->fault()};
+    const ImageLayout layout = reader->layout();
+    if (Status fits = checkLayout(layout, where, largestSide); !fits) return fits.error();
+    if (reader->interlaced()) return std::unique_ptr<ImageRows>{};
+    if (reader->plainGrey()) return std::unique_ptr<ImageRows>{std::make_unique<GreyPngRows>(std::move(chunks), layout, where)};
+    return std::unique_ptr<ImageRows>{std::make_unique<PngRows>(std::move(chunks), std::move(reader), where)};
 }
 
 } // namespace io

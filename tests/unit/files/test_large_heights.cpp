@@ -213,14 +213,86 @@ void appendChunk(std::string& png, const std::string& kind, const std::string& d
     word(std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size()))));
 }
 
-std::string pngHeader(std::uint32_t side, bool interlaced = false)
+std::string pngHeader(glm::uvec2 size, int depth = 16, int colours = 0, bool interlaced = false)
 {
     std::string png = "\x89PNG\r\n\x1a\n", header;
-    for (int i = 0; i < 2; ++i)
+    for (const std::uint32_t side : {size.x, size.y})
         header += {char(side >> 24), char(side >> 16), char(side >> 8), char(side)};
-    header += std::string{"\x10\0\0\0", 4} + char(interlaced ? 1 : 0);
-    appendChunk(png, "IHDR", header);
+    appendChunk(png, "IHDR", header + char(depth) + char(colours) + std::string(2, '\0') + char(interlaced ? 1 : 0));
     return png;
+}
+
+std::string packed(const std::string& bytes)
+{
+    uLongf size = compressBound(bytes.size());
+    std::string packed(size, '\0');
+    EXPECT_EQ(compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()), Z_OK);
+    return packed.substr(0, size);
+}
+
+// Any bytes are a picture, whatever their filters: each row has the next one of five.
+std::string randomPng(glm::ivec2 size, int depth, int colours, std::size_t chunk, const std::string& transparent = {}, int filters = 5)
+{
+    const int channels = colours == 2 ? 3 : 1;
+    std::mt19937 random{3};
+    std::string rows;
+    for (int z = 0; z < size.y; ++z) {
+        rows += char(z % filters);
+        for (int i = 0; i < (size.x * channels * depth + 7) / 8; ++i)
+            rows += char(random());
+    }
+    std::string png = pngHeader(size, depth, colours);
+    appendChunk(png, "tEXt", "Comment\0is passed over");
+    if (!transparent.empty()) appendChunk(png, "tRNS", transparent);
+    const std::string data = packed(rows);
+    for (std::size_t at = 0; at < data.size(); at += chunk)
+        appendChunk(png, "IDAT", data.substr(at, chunk));
+    appendChunk(png, "IDAT", ""); // allowed
+    appendChunk(png, "IEND", "");
+    return png;
+}
+
+TEST(LargeHeights, EveryKindOfPngIsReadAsLibpngReadsIt)
+{
+    const TemporaryFolder folder;
+    const auto compare = [&](const std::string& png) {
+        put(folder / "h.png", png);
+        const Result<Image> whole = readImage(folder / "h.png");
+        ASSERT_TRUE(whole) << whole.error().text();
+        expectReads(folder / "h.png", *whole);
+    };
+    for (const glm::ivec2 size : {glm::ivec2{2, 11}, {333, 41}, {700, 1300}}) {
+        for (const int depth : {1, 2, 4, 8, 16})
+            compare(randomPng(size, depth, 0, 5000));
+        compare(randomPng(size, 8, 0, 100000, std::string{"\0\7", 2}));
+        compare(randomPng(size, 16, 2, 3));
+    }
+}
+
+TEST(LargeHeights, DamagedPngsAreRefused)
+{
+    const TemporaryFolder folder;
+    const std::string whole = randomPng({200, 90}, 16, 0, 4096);
+    const auto fault = [&](const std::string& png) {
+        put(folder / "h.png", png);
+        Complaints complaints;
+        const Result<HeightMap> map = readHeightMap(folder / "h.png", kHills, complaints);
+        const bool alike = bool(map) == bool(readImage(folder / "h.png")) && complaints.empty();
+        return alike ? map ? "" : map.error().what : "otherwise than the whole picture";
+    };
+    EXPECT_EQ(fault(whole), "");
+    for (std::size_t length = 150; length + 24 < whole.size(); length += 3001)
+        EXPECT_EQ(fault(whole.substr(0, length)), "damaged: the file ends early") << length;
+    EXPECT_EQ(fault(randomPng({200, 90}, 16, 0, 4096, {}, 6)), "damaged: bad adaptive filter value");
+    for (std::size_t at = 150; at < whole.size() - 60; at += 2777) {
+        std::string bad = whole;
+        bad[at] = char(bad[at] ^ 0x10);
+        EXPECT_NE(fault(bad).find("damaged: "), std::string::npos) << at << " " << fault(bad);
+    }
+    std::string shorter = pngHeader({200, 90});
+    appendChunk(shorter, "IDAT", packed(std::string(401 * 60, '\0'))); // of 90 rows
+    appendChunk(shorter, "IEND", "");
+    EXPECT_EQ(fault(shorter), "damaged: IDAT: not enough image data");
 }
 
 std::size_t peakMemory() // bytes that this process has had at most
@@ -234,11 +306,9 @@ std::size_t peakMemory() // bytes that this process has had at most
 TEST(LargeHeights, AHeaderAloneTakesNoMemory)
 {
     const TemporaryFolder folder;
-    std::string png = pngHeader(16385);
-    std::string rows(16385 * 2 + 1, '\0'), packed(256, '\0');
-    uLongf size = packed.size();
-    ASSERT_EQ(compress(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(rows.data()), rows.size()), Z_OK);
-    appendChunk(png, "IDAT", packed.substr(0, size)); // a row of 16385
+    const std::string row = packed(std::string(16385 * 2 + 1, '\0'));
+    std::string png = pngHeader({16385, 16385});
+    appendChunk(png, "IDAT", row);
     put(folder / "h.png", png);
     const std::size_t before = peakMemory();
     Complaints complaints;
@@ -247,10 +317,10 @@ TEST(LargeHeights, AHeaderAloneTakesNoMemory)
     EXPECT_NE(map.error().what.find("damaged: "), std::string::npos) << map.error().what;
     EXPECT_LT(peakMemory() - before, std::size_t(64) << 20);
 
-    put(folder / "h.png", pngHeader(16386));
+    put(folder / "h.png", pngHeader({16386, 2}));
     EXPECT_NE(readHeightMap(folder / "h.png", kHills, complaints).error().what.find("a side may have at most 16385"), std::string::npos);
-    png = pngHeader(16385, true); // decoded only whole
-    appendChunk(png, "IDAT", packed.substr(0, size));
+    png = pngHeader({16385, 16385}, 16, 0, true); // decoded only whole
+    appendChunk(png, "IDAT", row);
     put(folder / "h.png", png);
     EXPECT_NE(readHeightMap(folder / "h.png", kHills, complaints).error().what.find("a side may have at most 16384"), std::string::npos);
     EXPECT_EQ(listed(complaints), "");
