@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 
 #include <atomic>
+#include <cmath>
 #include <map>
 
 namespace io {
@@ -385,6 +386,37 @@ TEST(Assets, ReadingCanBeCancelled)
     writeSample(folder.path());
     Opened opened{folder.path()};
     EXPECT_FALSE(readAssets(*opened.world, opened.complaints, [](float, std::string_view) { return false; }));
+}
+
+TEST(Assets, ALargeHeightMapTellsHowFarItIsAndCanBeCancelledWithin)
+{
+    const TemporaryFolder folder;
+    writeSample(folder.path());
+    ASSERT_TRUE(writeHeightMap16(folder / "terrain/h.png", {.size = {1500, 8000}, .metres = std::vector<float>(1500 * 8000, 5)}, 0, 10));
+    const int jobs = 3; // heights, a texture, a model
+    const auto within = [&](float fraction) { return std::abs(fraction * jobs - std::round(fraction * jobs)) > 1e-3f; };
+    Opened opened{folder.path()};
+    int parts = 0;
+    float last = 0;
+    ASSERT_TRUE(readAssets(*opened.world, opened.complaints, [&](float fraction, std::string_view) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        parts += within(fraction) ? 1 : 0;
+        return true;
+    }));
+    EXPECT_GE(parts, 2);
+    EXPECT_EQ(last, 1);
+
+    Opened again{folder.path()};
+    last = 0;
+    const Result<Assets> stopped = readAssets(*again.world, again.complaints, [&](float fraction, std::string_view) {
+        last = fraction;
+        return !within(fraction);
+    });
+    ASSERT_FALSE(stopped);
+    EXPECT_EQ(stopped.error().what, "reading was cancelled");
+    EXPECT_EQ(again.world->scene.heights(), nullptr);
+    EXPECT_EQ(listed(again.complaints), "");
 }
 
 TEST(CheckProject, NamesEveryFaultOnce)
