@@ -5,6 +5,7 @@
 
 #include "io/files/card_trimming.h"
 #include "io/files/documents.h"
+#include "io/files/height_map_file.h"
 #include "io/files/image_bytes.h"
 #include "io/files/image_file.h"
 #include "io/files/png_file.h"
@@ -275,6 +276,27 @@ TEST(Fuzz, ImageBytes)
             const std::string bytes = mutator.damaged(good);
             ASSERT_LE(withoutMetadata(bytes).size(), bytes.size());
             (void)headerFault(bytes);
+        }
+    }
+}
+
+// What reads heights in bands refuses what the decoder of whole pictures refuses, and nothing else.
+TEST(Fuzz, HeightMaps)
+{
+    Image image{.size = {40, 30}, .channels = 1, .type = PixelType::U16};
+    for (int i = 0; i < 40 * 30 * 2; ++i)
+        image.bytes.push_back(std::byte(i * i / 7));
+    const std::string good = *encodePng(image);
+    const TemporaryFolder folder;
+    Mutator mutator;
+    for (int i = 0; i < rounds(2000); ++i) {
+        put(folder / "h.png", mutator.damaged(good));
+        Complaints complaints;
+        const Result<Image> whole = readImage(folder / "h.png");
+        const Result<HeightMap> map = readHeightMap(folder / "h.png", {.maxHeight = 100}, complaints);
+        ASSERT_EQ(bool(map), whole && whole->size.x > 1 && whole->size.y > 1) << i << " " << (map ? "" : map.error().what);
+        if (map) {
+            EXPECT_EQ(map->size, whole->size);
         }
     }
 }
