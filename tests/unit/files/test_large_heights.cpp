@@ -117,7 +117,7 @@ void writeTiff(const fs::path& file, const Image& image)
 }
 
 // One band, several, several tiles; narrower and wider than whole ones.
-const glm::ivec2 kSizes[] = {{2, 2}, {31, 700}, {513, 17}, {1500, 1025}, {5000, 600}};
+const glm::ivec2 kSizes[] = {{2, 2}, {31, 700}, {513, 17}, {700, 1025}, {5000, 450}};
 
 TEST(LargeHeights, BandsMakeWhatTheWholePictureHolds)
 {
@@ -263,7 +263,7 @@ TEST(LargeHeights, EveryKindOfPngIsReadAsLibpngReadsIt)
         ASSERT_TRUE(whole) << whole.error().text();
         expectReads(folder / "h.png", *whole);
     };
-    for (const glm::ivec2 size : {glm::ivec2{2, 11}, {333, 41}, {700, 1300}}) {
+    for (const glm::ivec2 size : {glm::ivec2{2, 11}, {333, 41}, {300, 1300}}) {
         for (const int depth : {1, 2, 4, 8, 16})
             compare(randomPng(size, depth, 0, 5000));
         compare(randomPng(size, 8, 0, 100000, std::string{"\0\7", 2}));
