@@ -2,6 +2,7 @@
 #include "editor/document.h"
 
 #include "io/base/log.h"
+#include "io/scene/height_map_builder.h"
 
 #include <algorithm>
 
@@ -20,10 +21,16 @@ constexpr double kLeastSpan = 1e-3; // m; heights squeezed into less could not b
 std::shared_ptr<const io::HeightMap> scaled(const io::HeightMap& heights, const io::Terrain& from, const io::Terrain& to)
 {
     const double factor = (to.maxHeight - to.minHeight) / (from.maxHeight - from.minHeight);
-    io::HeightGrid grid = heights.read(heights.texels());
-    for (float& metres : grid.metres)
-        metres = float(to.minHeight + (double(metres) - from.minHeight) * factor);
-    return std::make_shared<const io::HeightMap>(heights.with(grid, {0, 0}));
+    io::HeightMapBuilder scaled{heights.size};
+    for (int z = 0; z < heights.size.y; ++z) {
+        std::vector<float> row = heights.field().read({{0, z}, {heights.size.x, z + 1}});
+        for (float& metres : row)
+            metres = float(to.minHeight + (double(metres) - from.minHeight) * factor);
+        scaled.addRow(row);
+    }
+    io::HeightMap map = scaled.finish(heights.metresPerTexel, heights.origin);
+    map.shares = heights.shares;
+    return std::make_shared<const io::HeightMap>(std::move(map));
 }
 
 bool sameImages(const io::Terrain& a, const io::Terrain& b)

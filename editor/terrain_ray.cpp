@@ -5,12 +5,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
+#include <limits>
 
 namespace editor {
 namespace {
 
 constexpr int kLeaf = 4;        // cells along the side of a leaf
+constexpr int kNode = 2 * kLeaf; // and of a node of the finest level
+constexpr glm::vec2 kNothing{std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
 constexpr double kSlack = 1e-9; // of a cell: edges belong to both triangles, so that no ray slips between them
+
+glm::vec2 joined(const glm::vec2& a, const glm::vec2& b)
+{
+    return {std::min(a.x, b.x), std::max(a.y, b.y)};
+}
 
 } // namespace
 
@@ -36,6 +45,15 @@ struct TerrainRay::Query {
             leave = std::min(leave, std::max(a, b));
         }
         return {enter, leave};
+    }
+
+    // Whether the ray meets the box over a square of `side` cells.
+    bool meets(const glm::ivec2& square, double side, const glm::dvec2& range) const
+    {
+        const double slack = 1e-6 * std::max({1.0, std::abs(origin.x), std::abs(origin.z), std::abs(origin.y)});
+        const glm::dvec2 through = slab({square.x * side - slack, range.x - slack, square.y * side - slack},
+                                        {(square.x + 1) * side + slack, range.y + slack, (square.y + 1) * side + slack});
+        return through.x <= through.y;
     }
 
     // The plane y = height + dx * u + dz * v over one triangle of the cell; `lower` is the one with u + v <= 1.
@@ -64,7 +82,8 @@ TerrainRay::TerrainRay(std::shared_ptr<const io::HeightMap> heights) : m_heights
         m_heights.reset();
         return;
     }
-    glm::ivec2 nodes = (m_heights->size - 1 + kLeaf - 1) / kLeaf;
+    glm::ivec2 nodes = (m_heights->size - 1 + kNode - 1) / kNode;
+    m_leaves.resize(std::size_t(nodes.x) * nodes.y);
     for (;; nodes = (nodes + 1) / 2) {
         m_levels.push_back({.size = nodes, .range = std::vector<glm::vec2>(std::size_t(nodes.x) * nodes.y)});
         build(m_levels.size() - 1, {0, 0}, nodes);
@@ -77,42 +96,89 @@ void TerrainRay::update(std::shared_ptr<const io::HeightMap> heights, const io::
     EXPECTS(m_heights && heights && heights->size == m_heights->size);
     m_heights = std::move(heights);
     // A texel is a corner of the four cells around it.
-    glm::ivec2 low = glm::max(glm::ivec2{changed.low} - 1, glm::ivec2{0}) / kLeaf, high = (glm::ivec2{changed.high} - 1) / kLeaf + 1;
+    glm::ivec2 low = glm::max(glm::ivec2{changed.low} - 1, glm::ivec2{0}) / kNode, high = (glm::ivec2{changed.high} - 1) / kNode + 1;
     for (std::size_t level = 0; level < m_levels.size(); ++level, low /= 2, high = (high + 1) / 2)
         build(level, low, glm::min(high, m_levels[level].size));
 }
 
 void TerrainRay::build(std::size_t level, const glm::ivec2& low, const glm::ivec2& high)
 {
-    Level& own = m_levels[level];
+    if (level > 0) return join(m_levels[level - 1], m_levels[level], low, high);
+    constexpr int kWorthAThread = 1 << 16; // nodes
+    const int rows = high.y - low.y, middle = low.y + rows / 2;
+    if (rows < 2 || std::int64_t(rows) * (high.x - low.x) < kWorthAThread) return buildFinest(low, high);
+    const auto upper = std::async(std::launch::async, [&] { buildFinest(low, {high.x, middle}); });
+    buildFinest({low.x, middle}, high);
+}
+
+void TerrainRay::join(const Level& below, Level& level, const glm::ivec2& low, const glm::ivec2& high)
+{
     for (int z = low.y; z < high.y; ++z)
         for (int x = low.x; x < high.x; ++x) {
-            glm::vec2& range = own.range[std::size_t(z) * own.size.x + x];
-            if (level == 0) {
-                range = rangeOfLeaf({x, z});
-                continue;
-            }
-            const Level& below = m_levels[level - 1];
             const glm::ivec2 last = glm::min(glm::ivec2{x, z} * 2 + 1, below.size - 1);
-            range = below.range[std::size_t(z) * 2 * below.size.x + x * 2];
+            glm::vec2 range = kNothing;
             for (int row = z * 2; row <= last.y; ++row)
-                for (int column = x * 2; column <= last.x; ++column) {
-                    const glm::vec2 part = below.range[std::size_t(row) * below.size.x + column];
-                    range = {std::min(range.x, part.x), std::max(range.y, part.y)};
-                }
+                for (int column = x * 2; column <= last.x; ++column)
+                    range = joined(range, below.range[std::size_t(row) * below.size.x + column]);
+            level.range[std::size_t(z) * level.size.x + x] = range;
         }
 }
 
-glm::vec2 TerrainRay::rangeOfLeaf(glm::ivec2 node) const
+void TerrainRay::buildFinest(const glm::ivec2& low, const glm::ivec2& high)
 {
-    const glm::ivec2 last = glm::min((node + 1) * kLeaf, m_heights->size - 1);
-    glm::vec2 range{m_heights->at(node.x * kLeaf, node.y * kLeaf)};
-    for (int z = node.y * kLeaf; z <= last.y; ++z)
-        for (int x = node.x * kLeaf; x <= last.x; ++x) {
-            const float metres = m_heights->at(x, z);
-            range = {std::min(range.x, metres), std::max(range.y, metres)};
+    Level& level = m_levels.front();
+    for (int z = low.y; z < high.y; ++z) {
+        const std::array rows{rangesOfLeaves(z * 2, low.x * 2, high.x * 2), rangesOfLeaves(z * 2 + 1, low.x * 2, high.x * 2)};
+        for (int x = low.x; x < high.x; ++x) {
+            const std::size_t at = std::size_t(z) * level.size.x + x, first = std::size_t(x - low.x) * 2;
+            const std::array leaves{rows[0][first], rows[0][first + 1], rows[1][first], rows[1][first + 1]};
+            level.range[at] = joined(joined(leaves[0], leaves[1]), joined(leaves[2], leaves[3]));
+            for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+                m_leaves[at].set(leaf, leaves[leaf], level.range[at]);
         }
-    return range;
+    }
+}
+
+// The leaves `low` to `high` of a row of them, nothing for those beyond the map: first the lowest and highest of their rows of
+// texels at each x, then of the texels of each leaf.
+std::vector<glm::vec2> TerrainRay::rangesOfLeaves(int row, int low, int high) const
+{
+    std::vector<glm::vec2> ranges(std::size_t(high - low), kNothing);
+    const glm::ivec2 size = m_heights->size;
+    if (row * kLeaf >= size.y - 1) return ranges;
+    const int first = low * kLeaf, end = std::min(high * kLeaf, size.x - 1) + 1;
+    std::vector<float> lowest(std::size_t(end - first), kNothing.x), highest(lowest.size(), kNothing.y);
+    for (int z = row * kLeaf; z <= std::min((row + 1) * kLeaf, size.y - 1); ++z) {
+        float *l = lowest.data(), *h = highest.data();
+        m_heights->field().eachRun({{first, z}, {end, z + 1}}, [&](const float* run, std::size_t count) {
+            for (std::size_t i = 0; i < count; ++i) {
+                l[i] = std::min(l[i], run[i]);
+                h[i] = std::max(h[i], run[i]);
+            }
+            l += count;
+            h += count;
+        });
+    }
+    for (int x = low; x < high && x * kLeaf < size.x - 1; ++x)
+        for (int i = x * kLeaf; i <= std::min((x + 1) * kLeaf, size.x - 1); ++i)
+            ranges[std::size_t(x - low)] = joined(ranges[std::size_t(x - low)], {lowest[std::size_t(i - first)], highest[std::size_t(i - first)]});
+    return ranges;
+}
+
+void TerrainRay::Leaves::set(std::size_t leaf, const glm::vec2& leafRange, const glm::vec2& node)
+{
+    const double step = (double(node.y) - node.x) / 255;
+    const auto steps = [&](double metres) { return step > 0 ? std::uint8_t(std::clamp(metres / step, 0.0, 255.0)) : std::uint8_t(0); };
+    aboveLowest[leaf] = steps(double(leafRange.x) - node.x);
+    belowHighest[leaf] = steps(double(node.y) - leafRange.y);
+    if (aboveLowest[leaf] > 0 && range(leaf, node).x > leafRange.x) --aboveLowest[leaf]; // where the quotient was rounded up
+    if (belowHighest[leaf] > 0 && range(leaf, node).y < leafRange.y) --belowHighest[leaf];
+}
+
+glm::dvec2 TerrainRay::Leaves::range(std::size_t leaf, const glm::vec2& node) const
+{
+    const double step = (double(node.y) - node.x) / 255;
+    return {node.x + aboveLowest[leaf] * step, node.y - belowHighest[leaf] * step};
 }
 
 std::optional<io::TerrainHit> TerrainRay::hit(const io::Ray& ray, double maxDistance) const
@@ -136,22 +202,21 @@ std::optional<io::TerrainHit> TerrainRay::hit(const io::Ray& ray, double maxDist
 
 void TerrainRay::descend(Query& query, int level, glm::ivec2 node) const
 {
-    const glm::vec2 range = m_levels[level].range[std::size_t(node.y) * m_levels[level].size.x + node.x];
-    const double side = double(kLeaf << level);
-    const double slack =
-        1e-6 * std::max({1.0, std::abs(query.origin.x), std::abs(query.origin.z), std::abs(query.origin.y)});
-    const glm::dvec2 through = query.slab({node.x * side - slack, range.x - slack, node.y * side - slack},
-                                          {(node.x + 1) * side + slack, range.y + slack, (node.y + 1) * side + slack});
-    if (through.x > through.y) return;
-    if (level == 0) return leaf(query, node);
+    const std::size_t at = std::size_t(node.y) * m_levels[level].size.x + node.x;
+    const glm::vec2 range = m_levels[level].range[at];
+    if (!query.meets(node, double(kNode << level), range)) return;
 
     // Near children first, so that the far ones end at their box.
     const int nearX = query.direction.x < 0 ? 1 : 0;
     const int nearZ = query.direction.z < 0 ? 1 : 0;
     for (const glm::ivec2 step : {glm::ivec2{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
-        const glm::ivec2 child = node * 2 + (step ^ glm::ivec2{nearX, nearZ});
-        if (child.x < m_levels[level - 1].size.x && child.y < m_levels[level - 1].size.y)
-            descend(query, level - 1, child);
+        const glm::ivec2 own = step ^ glm::ivec2{nearX, nearZ}, child = node * 2 + own;
+        if (level > 0) {
+            if (child.x < m_levels[level - 1].size.x && child.y < m_levels[level - 1].size.y) descend(query, level - 1, child);
+        } else if (child.x * kLeaf < m_heights->size.x - 1 && child.y * kLeaf < m_heights->size.y - 1 &&
+                   query.meets(child, kLeaf, m_leaves[at].range(std::size_t(own.y * 2 + own.x), range))) {
+            leaf(query, child);
+        }
     }
 }
 

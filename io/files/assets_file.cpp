@@ -23,8 +23,9 @@ constexpr glm::vec4 kMissingColour{0.9f, 0.05f, 0.6f, 1};
 
 struct Job {
     std::string name; // of the file, for progress
-    std::function<void(Complaints&)> run;
+    std::function<void(Complaints&, const Progress&)> run; // may report its own progress, and ends early when that says so
     Complaints complaints;
+    float done = 0; // 0..1
 };
 
 // Runs all jobs on other threads, while this one tells of the progress. False when it was cancelled.
@@ -34,13 +35,23 @@ bool runAll(std::vector<Job>& jobs, const Progress& progress)
     std::condition_variable changed;
     std::atomic<bool> cancelled{false};
     std::atomic<std::size_t> next{0};
-    std::vector<std::string> done; // names
+    std::size_t finished = 0; // these three are the mutex's, as what is done of each job
+    bool news = false;
+    std::string step;
+    const auto tell = [&](Job& job, float done, bool last) {
+        const std::lock_guard lock{mutex};
+        job.done = done;
+        step = job.name;
+        finished += last ? 1 : 0;
+        news = true;
+        changed.notify_one();
+    };
     const auto work = [&] {
         for (std::size_t i = next++; i < jobs.size(); i = next++) {
-            if (!cancelled) jobs[i].run(jobs[i].complaints);
-            const std::lock_guard lock{mutex};
-            done.push_back(jobs[i].name);
-            changed.notify_one();
+            Job& job = jobs[i];
+            const Progress own = [&](float fraction, std::string_view) { return tell(job, std::min(fraction, 1.0f), false), !cancelled; };
+            if (!cancelled) job.run(job.complaints, own);
+            tell(job, 1, true);
         }
     };
     std::vector<std::jthread> threads;
@@ -48,14 +59,16 @@ bool runAll(std::vector<Job>& jobs, const Progress& progress)
          ++i)
         threads.emplace_back(work);
 
-    std::size_t told = 0;
-    while (told < jobs.size()) {
+    for (bool all = jobs.empty(); !all;) {
         std::unique_lock lock{mutex};
-        changed.wait(lock, [&] { return done.size() > told; });
-        told = done.size();
-        const std::string step = done.back();
+        changed.wait(lock, [&] { return std::exchange(news, false); });
+        all = finished == jobs.size();
+        float done = 0;
+        for (const Job& job : jobs)
+            done += job.done;
+        const std::string now = step;
         lock.unlock();
-        if (!report(progress, float(told) / float(jobs.size()), step)) cancelled = true;
+        if (!report(progress, all ? 1 : done / float(jobs.size()), now)) cancelled = true;
     }
     return !cancelled;
 }
@@ -97,7 +110,7 @@ void addModelJobs(const World& world, Assets& assets, std::vector<Job>& jobs)
                     slots[i].value ? box(slots[i].value->markerSize, kMarkerColour) : box(glm::vec3{1}, kMissingColour);
             continue;
         }
-        jobs.push_back({file, [&world, &assets, users](Complaints& complaints) {
+        jobs.push_back({file, [&world, &assets, users](Complaints& complaints, const Progress&) {
                             const auto model = readTemplateModel(world, TemplateId(users.front() + 1), complaints);
                             for (const std::size_t i : users)
                                 assets.models[i] = model;
@@ -116,7 +129,7 @@ void addImageJobs(const World& world, Assets& assets, std::vector<Job>& jobs)
         if (!layers[i].normalTexture.empty()) usersOf[layers[i].normalTexture].push_back(&assets.layers[i].normal);
     }
     for (const auto& [file, users] : usersOf) {
-        jobs.push_back({file, [&world, where, file, users](Complaints& complaints) {
+        jobs.push_back({file, [&world, where, file, users](Complaints& complaints, const Progress&) {
                             const Result<std::filesystem::path> path = insideFolder(world.project.folder, file);
                             Result<Image> image = path ? readImage(*path) : Result<Image>{path.error()};
                             if (!image)
@@ -137,8 +150,8 @@ void addGroundJob(const World& world, Ground& ground, std::vector<Job>& jobs)
 {
     const Terrain& terrain = world.scene.terrain();
     if (terrain.heightMap.empty()) return;
-    jobs.push_back({terrain.heightMap, [&](Complaints& complaints) {
-                        ground.heights = readHeights(world, terrain, complaints);
+    jobs.push_back({terrain.heightMap, [&](Complaints& complaints, const Progress& progress) {
+                        ground.heights = readHeights(world, terrain, complaints, progress);
                         if (ground.heights) ground.cover = readCover(world, terrain, ground.heights->size, complaints);
                     }});
 }
@@ -160,10 +173,10 @@ std::shared_ptr<const Model> readTemplateModel(const World& world, TemplateId id
     return box(value->markerSize, kMissingColour);
 }
 
-std::shared_ptr<const HeightMap> readHeights(const World& world, const Terrain& terrain, Complaints& complaints)
+std::shared_ptr<const HeightMap> readHeights(const World& world, const Terrain& terrain, Complaints& complaints, const Progress& progress)
 {
     const Result<std::filesystem::path> path = insideFolder(world.project.folder, terrain.heightMap);
-    Result<HeightMap> heights = path ? readHeightMap(*path, terrain, complaints) : Result<HeightMap>{path.error()};
+    Result<HeightMap> heights = path ? readHeightMap(*path, terrain, complaints, progress) : Result<HeightMap>{path.error()};
     if (heights) return std::make_shared<const HeightMap>(std::move(*heights));
     const std::string where = (world.project.folder / world.entry.file).string();
     complaints.push_back(complaintOf(where, "terrain.height_map", heights.error()));
@@ -189,9 +202,9 @@ Result<Assets> readAssets(World& world, Complaints& complaints, const Progress& 
     addImageJobs(world, assets, jobs);
     addModelJobs(world, assets, jobs);
     const bool complete = runAll(jobs, progress);
+    if (!complete) return Error{world.project.folder.string(), "reading was cancelled"};
     for (const Job& job : jobs)
         complaints.insert(complaints.end(), job.complaints.begin(), job.complaints.end());
-    if (!complete) return Error{world.project.folder.string(), "reading was cancelled"};
     if (ground.heights) {
         const Terrain& terrain = world.scene.terrain();
         world.heightFiles[terrain.heightMap] = {ground.heights, terrain.minHeight, terrain.maxHeight};

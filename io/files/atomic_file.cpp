@@ -2,8 +2,10 @@
 
 #include "io/base/paths.h"
 #include "io/files/disk.h"
+#include "io/files/file_reader.h"
 #include "io/files/json.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
@@ -93,10 +95,15 @@ Status syncFolders(const std::vector<Step>& steps)
 
 bool holds(const fs::path& file, std::string_view bytes)
 {
-    std::error_code error;
-    if (fs::file_size(file, error) != bytes.size() || error) return false;
-    const Result<std::string> old = readFile(file, bytes.size());
-    return old && *old == bytes;
+    Result<FileReader> reader = FileReader::open(file);
+    if (!reader || reader->size() != bytes.size()) return false;
+    std::string part(std::size_t(1) << 20, '\0'); // a map may be large: the file is never in memory as a whole
+    while (!bytes.empty()) {
+        const std::size_t size = std::min(part.size(), bytes.size());
+        if (reader->read(part.data(), size) != size || bytes.substr(0, size) != std::string_view{part}.substr(0, size)) return false;
+        bytes.remove_prefix(size);
+    }
+    return true;
 }
 
 enum class Found { Nothing, Other, Same };

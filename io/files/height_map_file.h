@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/base/complaint.h"
+#include "io/base/progress.h"
 #include "io/base/result.h"
 #include "io/scene/height_map.h"
 #include "io/scene/terrain.h"
@@ -14,8 +15,10 @@ namespace io {
 
 // 8 and 16 bits unsigned map 0..max to the terrain's minHeight..maxHeight; float and signed integers are metres.
 // Voids (NaN, infinity, -32768, -32767, -9999, anything beyond 100 km) are filled from their neighbours and counted in
-// a complaint. At least 2 x 2.
-Result<HeightMap> readHeightMap(const std::filesystem::path& file, const Terrain& terrain, Complaints& complaints);
+// a complaint. At least 2 x 2, at most kGroundLimits.side along a side. Read in bands of at most 512 rows, between which it
+// reports and can be cancelled; besides the map itself it takes a few MB.
+Result<HeightMap> readHeightMap(const std::filesystem::path& file, const Terrain& terrain, Complaints& complaints,
+                                const Progress& progress = {});
 
 // A 16-bit PNG that readHeightMap() reads back with the same two heights; what lies outside them is clamped.
 Status writeHeightMap16(const std::filesystem::path& file, const HeightGrid& heights, double minHeight,

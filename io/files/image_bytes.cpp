@@ -27,13 +27,12 @@ std::uint32_t bigEndian(std::string_view bytes, std::size_t at, int count)
 // PNG (ISO/IEC 15948) is a row of chunks: length, four letters, data, checksum.
 std::string pngWithoutMetadata(std::string_view bytes)
 {
-    constexpr std::array kKept = {"IHDR"sv, "PLTE"sv, "tRNS"sv, "IDAT"sv, "IEND"sv};
     std::string out{kPngStart};
     std::size_t at = kPngStart.size();
     while (at + 12 <= bytes.size()) {
         const std::size_t size = std::size_t(bigEndian(bytes, at, 4)) + 12;
         const std::string_view chunk = bytes.substr(at, size); // a cut-off one is for the decoder to refuse
-        if (std::find(kKept.begin(), kKept.end(), chunk.substr(4, 4)) != kKept.end()) out += chunk;
+        if (pngChunkHasPixels(chunk.substr(4, 4))) out += chunk;
         at += chunk.size();
     }
     return out;
@@ -95,6 +94,12 @@ bool soundDds(std::string_view bytes)
 
 } // namespace
 
+bool pngChunkHasPixels(std::string_view letters)
+{
+    constexpr std::array kKept = {"IHDR"sv, "PLTE"sv, "tRNS"sv, "IDAT"sv, "IEND"sv};
+    return std::find(kKept.begin(), kKept.end(), letters) != kKept.end();
+}
+
 std::string headerFault(std::string_view bytes)
 {
     return imageFormat(bytes) == "dds" && !soundDds(bytes) ? "its pixel format is damaged" : "";
@@ -121,12 +126,18 @@ Status checkSides(std::int64_t width, std::int64_t height, const ImageLimits& li
     return {};
 }
 
-Status checkSize(const DecodedSize& size, const ImageLimits& limits, const std::string& where)
+Status checkRows(const DecodedSize& size, const ImageLimits& limits, const std::string& where)
 {
-    const auto [width, height] = std::pair{std::int64_t(size.pixels.x), std::int64_t(size.pixels.y)};
-    if (Status sides = checkSides(width, height, limits, where); !sides) return sides;
+    if (Status sides = checkSides(size.pixels.x, size.pixels.y, limits, where); !sides) return sides;
     if (size.channels < 1 || size.channels > 64) // further channels than four are passed over
         return Error{where, std::to_string(size.channels) + " channels; at most 4 are used"};
+    return {};
+}
+
+Status checkSize(const DecodedSize& size, const ImageLimits& limits, const std::string& where)
+{
+    if (Status rows = checkRows(size, limits, where); !rows) return rows;
+    const auto [width, height] = std::pair{std::int64_t(size.pixels.x), std::int64_t(size.pixels.y)};
     const auto sample = std::max<std::uint64_t>(size.sampleBytes, 1);
     if (std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(size.channels) * sample > limits.bytes)
         return Error{where, words(width, height) + " are more than " + std::to_string(limits.bytes >> 20) + " MiB; make it smaller"};

@@ -19,6 +19,9 @@ std::string_view imageFormat(std::string_view bytes);
 // break most often. Other formats, and files too damaged to be walked through, come back as they are.
 std::string withoutMetadata(std::string_view bytes);
 
+// Whether a chunk of these four letters has to do with the pixels of a PNG.
+bool pngChunkHasPixels(std::string_view letters);
+
 // What a decoder would divide by zero for; empty when there is nothing.
 std::string headerFault(std::string_view bytes);
 
@@ -32,6 +35,7 @@ struct DecodedSize {
     std::size_t sampleBytes;
 };
 Status checkSides(std::int64_t width, std::int64_t height, const ImageLimits& limits, const std::string& where);
+Status checkRows(const DecodedSize& size, const ImageLimits& limits, const std::string& where); // of what is never decoded whole
 Status checkSize(const DecodedSize& size, const ImageLimits& limits, const std::string& where);
 
 } // namespace io

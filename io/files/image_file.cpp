@@ -1,13 +1,14 @@
 #include "io/files/image_file.h"
 
-#include "io/base/contract.h"
 #include "io/files/atomic_file.h"
 #include "io/files/image_bytes.h"
+#include "io/files/image_rows.h"
 #include "io/files/jpeg_file.h"
 #include "io/files/picture_module.h"
 #include "io/files/png_file.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace io {
 namespace {
@@ -28,18 +29,13 @@ Result<Image> decode(std::string_view bytes, const std::string& where, const Ima
     return module->decode(format, bytes, where, limits);
 }
 
-Result<std::string> encodeByModule(const std::string& format, const Image& image)
-{
-    const Result<PictureModule> module = pictureModule();
-    if (!module) return module.error();
-    return module->encode(format, image);
-}
-
 Result<std::string> encode(const std::string& extension, const Image& image, int quality)
 {
     if (extension == ".png") return encodePng(image);
     if (extension == ".jpg") return encodeJpeg(image, quality);
-    return encodeByModule("exr", image);
+    return encodeFloatRows(extension, {image.size, image.channels, image.type}, [&](int first, int count, std::byte* rows) {
+        std::memcpy(rows, image.row<std::byte>(first), image.rowBytes() * std::size_t(count));
+    });
 }
 
 Error unfit(const std::filesystem::path& file, const char* what)
@@ -63,14 +59,6 @@ Result<Image> readImage(const std::filesystem::path& file, const ImageLimits& li
     const Result<std::string> bytes = readFile(file, kLargestFile);
     if (!bytes) return bytes.error();
     return decodeImage(*bytes, file.string(), limits);
-}
-
-Result<std::string> encodeFloatImage(const std::string& extension, const Image& image)
-{
-    EXPECTS(image.type == PixelType::F32);
-    if (extension == ".exr") return encodeByModule("exr", image);
-    if (extension == ".tif" || extension == ".tiff") return encodeByModule("tiff", image);
-    return Error{extension, "float pixels are written as .exr or .tif"};
 }
 
 Status writeImage(const std::filesystem::path& file, const Image& image, int quality)

@@ -22,7 +22,6 @@ constexpr ImageLimits kGroundLimits{.side = 16385, .bytes = std::uint64_t(16385)
 Result<Image> decodeImage(std::string_view bytes, const std::string& where, const ImageLimits& limits = {});
 Result<Image> readImage(const std::filesystem::path& file, const ImageLimits& limits = {}); // reads the file and decodes it
 
-Result<std::string> encodeFloatImage(const std::string& extension, const Image& image); // ".exr", ".tif", ".tiff"
 Status writeImage(const std::filesystem::path& file, const Image& image, int quality = 92); // by extension: png jpg exr
 
 } // namespace io

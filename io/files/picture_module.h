@@ -4,6 +4,7 @@
 
 #include "io/base/result.h"
 #include "io/files/image_file.h"
+#include "io/files/image_rows.h"
 
 #include <string>
 #include <string_view>
@@ -13,7 +14,9 @@ namespace io {
 struct PictureModule {
     // `format` as imageFormat() has it. Sizes are checked against the limits before any pixel is read.
     Result<Image> (*decode)(const std::string& format, std::string_view bytes, const std::string& where, const ImageLimits& limits) = nullptr;
-    Result<std::string> (*encode)(const std::string& format, const Image& image) = nullptr; // "exr" or "tiff"
+    // "tiff" or "openexr" from a file of so many bytes, of which a side may have `largestSide` pixels.
+    Result<std::unique_ptr<ImageRows>> (*openRows)(const std::string& format, const std::string& file, std::uint64_t bytes, int largestSide) = nullptr;
+    Result<std::string> (*encode)(const std::string& format, const ImageLayout& layout, const RowSource& source) = nullptr; // "exr" or "tiff"
 };
 
 Result<PictureModule> pictureModule(); // loaded once, kept until the end

@@ -63,7 +63,7 @@ std::vector<std::string> otherScenesWith(const World& world, std::string_view te
 Result<Assets> readAssets(World& world, Complaints& complaints, const Progress& progress = {});
 // The heights that a terrain of this project names; null, with a complaint, where they cannot be read. The caller tells the
 // world's heightFiles, and coverFiles, of what it keeps.
-std::shared_ptr<const HeightMap> readHeights(const World& world, const Terrain& terrain, Complaints& complaints);
+std::shared_ptr<const HeightMap> readHeights(const World& world, const Terrain& terrain, Complaints& complaints, const Progress& progress = {});
 // The cover of that name over heights of that size; likewise.
 std::shared_ptr<const CoverMap> readCover(const World& world, const Terrain& terrain, glm::ivec2 size, Complaints& complaints);
 std::shared_ptr<const Model> readTemplateModel(const World& world, TemplateId id, Complaints& complaints);

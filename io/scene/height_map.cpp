@@ -1,6 +1,7 @@
 #include "io/scene/height_map.h"
 
 #include "io/scene/height_queries.h"
+#include "io/scene/height_range.h"
 
 namespace io {
 
@@ -23,6 +24,13 @@ HeightMap::HeightMap(const HeightGrid& grid)
     : size{grid.size}, metresPerTexel{grid.metresPerTexel}, origin{grid.origin}, m_field{grid.size, grid.metres}
 {
     findRange(nullptr);
+}
+
+HeightMap::HeightMap(TexelTiles<float> field, std::vector<glm::vec2> ranges)
+    : size{field.size()}, m_field{std::move(field)}, m_ranges{std::move(ranges)}
+{
+    EXPECTS(m_ranges.size() == std::size_t(m_field.tiles().x) * std::size_t(m_field.tiles().y));
+    joinRanges();
 }
 
 bool HeightMap::contains(double x, double z) const
@@ -84,15 +92,13 @@ void HeightMap::findRange(const HeightMap* before)
         for (int x = 0; x < count.x; ++x) {
             const auto& tile = m_field.tile({x, z});
             if (before && before->m_field.tile({x, z}) == tile) continue;
-            const glm::ivec2 extent = glm::min(size - glm::ivec2{x, z} * kTileSide, glm::ivec2{kTileSide});
-            glm::vec2 range{tile->front()};
-            for (int row = 0; row < extent.y; ++row)
-                for (int column = 0; column < extent.x; ++column) {
-                    const float metres = (*tile)[std::size_t(row) * kTileSide + std::size_t(column)];
-                    range = {std::min(range.x, metres), std::max(range.y, metres)};
-                }
-            m_ranges[m_field.indexOf({x, z})] = range;
+            m_ranges[m_field.indexOf({x, z})] = rangeOfTile(*tile, glm::min(size - glm::ivec2{x, z} * kTileSide, glm::ivec2{kTileSide}));
         }
+    joinRanges();
+}
+
+void HeightMap::joinRanges()
+{
     if (m_ranges.empty()) return;
     min = m_ranges.front().x;
     max = m_ranges.front().y;

@@ -15,6 +15,8 @@ class HeightMap {
 public:
     HeightMap() = default;
     explicit HeightMap(const HeightGrid& grid);
+    // Of tiles whose lowest and highest heights are known, one pair a tile in the order of TexelTiles::indexOf().
+    HeightMap(TexelTiles<float> field, std::vector<glm::vec2> ranges);
 
     glm::ivec2 size{0};
     double metresPerTexel = 1;
@@ -41,6 +43,7 @@ public:
 
 private:
     void findRange(const HeightMap* before);
+    void joinRanges();
 
     TexelTiles<float> m_field; // m
     std::vector<glm::vec2> m_ranges; // lowest and highest of each tile

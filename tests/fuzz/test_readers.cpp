@@ -7,6 +7,7 @@
 #include "io/files/documents.h"
 #include "io/files/geo_tiff.h"
 #include "io/files/height_import.h"
+#include "io/files/height_map_file.h"
 #include "io/files/image_bytes.h"
 #include "io/files/image_file.h"
 #include "io/files/png_file.h"
@@ -338,6 +339,27 @@ TEST(Fuzz, GeoTiffs)
         const GeoTiff geo = geoTiffOf(mutator.damaged(tiff));
         const double metres = geo.metresPerTexel.value_or(1);
         ASSERT_TRUE(std::isfinite(metres) && metres > 0);
+    }
+}
+
+// What reads heights in bands refuses what the decoder of whole pictures refuses, and nothing else.
+TEST(Fuzz, HeightMapsInBands)
+{
+    Image image{.size = {40, 30}, .channels = 1, .type = PixelType::U16};
+    for (int i = 0; i < 40 * 30 * 2; ++i)
+        image.bytes.push_back(std::byte(i * i / 7));
+    const std::string good = *encodePng(image);
+    const TemporaryFolder folder;
+    Mutator mutator;
+    for (int i = 0; i < rounds(2000); ++i) {
+        put(folder / "h.png", mutator.damaged(good));
+        Complaints complaints;
+        const Result<Image> whole = readImage(folder / "h.png");
+        const Result<HeightMap> map = readHeightMap(folder / "h.png", {.maxHeight = 100}, complaints);
+        ASSERT_EQ(bool(map), whole && whole->size.x > 1 && whole->size.y > 1) << i << " " << (map ? "" : map.error().what);
+        if (map) {
+            EXPECT_EQ(map->size, whole->size);
+        }
     }
 }
 

@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 
 #include <atomic>
+#include <cmath>
 #include <map>
 
 namespace io {
@@ -387,6 +388,37 @@ TEST(Assets, ReadingCanBeCancelled)
     EXPECT_FALSE(readAssets(*opened.world, opened.complaints, [](float, std::string_view) { return false; }));
 }
 
+TEST(Assets, ALargeHeightMapTellsHowFarItIsAndCanBeCancelledWithin)
+{
+    const TemporaryFolder folder;
+    writeSample(folder.path());
+    ASSERT_TRUE(writeHeightMap16(folder / "terrain/h.png", {.size = {1500, 8000}, .metres = std::vector<float>(1500 * 8000, 5)}, 0, 10));
+    const int jobs = 3; // heights, a texture, a model
+    const auto within = [&](float fraction) { return std::abs(fraction * jobs - std::round(fraction * jobs)) > 1e-3f; };
+    Opened opened{folder.path()};
+    int parts = 0;
+    float last = 0;
+    ASSERT_TRUE(readAssets(*opened.world, opened.complaints, [&](float fraction, std::string_view) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        parts += within(fraction) ? 1 : 0;
+        return true;
+    }));
+    EXPECT_GE(parts, 2);
+    EXPECT_EQ(last, 1);
+
+    Opened again{folder.path()};
+    last = 0;
+    const Result<Assets> stopped = readAssets(*again.world, again.complaints, [&](float fraction, std::string_view) {
+        last = fraction;
+        return !within(fraction);
+    });
+    ASSERT_FALSE(stopped);
+    EXPECT_EQ(stopped.error().what, "reading was cancelled");
+    EXPECT_EQ(again.world->scene.heights(), nullptr);
+    EXPECT_EQ(listed(again.complaints), "");
+}
+
 TEST(CheckProject, NamesEveryFaultOnce)
 {
     const TemporaryFolder folder;
@@ -396,7 +428,7 @@ TEST(CheckProject, NamesEveryFaultOnce)
     replace(folder / "scenes/night.scene.json", "\"id\":1", "\"id\":2");
     const Complaints complaints = checkProject(folder.path());
     EXPECT_EQ(errorsIn(complaints), 2) << listed(complaints);
-    EXPECT_NE(listed(complaints).find("night.scene.json:27: id: 2 is taken"), std::string::npos) << listed(complaints);
+    EXPECT_NE(listed(complaints).find("night.scene.json:28: id: 2 is taken"), std::string::npos) << listed(complaints);
     EXPECT_EQ(errorsIn(checkProject(folder / "nowhere")), 1);
 }
 
