@@ -67,8 +67,10 @@ private:
     };
     // Nodes [low, high) of the finest level, and those above them.
     void measure(const io::HeightMap& heights, glm::ivec2 low, glm::ivec2 high);
+    void measureNode(const io::HeightMap& heights, int level, glm::ivec2 node); // after those within it
     glm::vec2 finestRange(const io::HeightMap& heights, glm::ivec2 node) const;
     Error errorOf(const io::HeightMap& heights, int level, glm::ivec2 node) const;
+    Error errorAtTheEdge(const io::HeightMap& heights, int level, glm::ivec2 node) const;
 
     std::vector<Level> m_levels;
     glm::ivec2 m_size{0};
