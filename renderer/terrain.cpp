@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 namespace renderer {
@@ -133,7 +132,8 @@ void Terrain::loadHeights()
     if (!m_texels || windowed != m_windowed) {
         m_texels = windowed ? windowedTexels(m_limits.window) : wholeTexels();
         m_windowed = windowed;
-        m_coverMap = nullptr; // which is loaded anew
+        m_coverMap = nullptr; // which is loaded anew, if there is one
+        m_holed = false;
     }
     m_texels->load(m_map);
     m_block.lastTexel = glm::vec2{map.size - 1};
@@ -186,6 +186,8 @@ void Terrain::touch(const io::TexelRect& rect, float low, float high)
 void Terrain::aim(const Eye& eye, const Eye& levelsFor, double errorPixels)
 {
     m_choice.clear();
+    for (auto& [level, choice] : m_shadowChoices)
+        choice.clear();
     if (!present()) return;
     const io::HeightMap& map = *m_map;
     const auto inTerrain = [&map](const Eye& e) { return glm::dvec3{e.position.x - map.origin.x, e.position.y, e.position.z - map.origin.y}; };
@@ -198,7 +200,9 @@ void Terrain::aim(const Eye& eye, const Eye& levelsFor, double errorPixels)
                              .errorAngle = kErrorLeeway * errorPixels * pixel,
                              .smallestQuad = kSmallestQuad * errorPixels * pixel,
                              .reach = [this](int level) { return m_texels->reach(level); }});
-    m_block.eyeInTerrain = {own.x, own.z};
+    const glm::dvec2 place{own.x, own.z}, texel = glm::floor(place / map.metresPerTexel);
+    m_block.eyeTexel = texel; // whole, so that what is near the eye is exact wherever it is
+    m_block.eyeRest = place - texel * map.metresPerTexel;
     m_block.eyeHeight = float(own.y);
     m_block.levelsFrom = m_levelsFrom;
     m_block.segmentAngle = float(kSmallestSegment * errorPixels * pixel);
@@ -248,24 +252,24 @@ Terrain::Draws Terrain::draws(GpuStream& stream, const std::optional<Volume>& vo
     return {drawOf(stream, {chosen.begin(), moving.begin()}, GroundStages::Grid), drawOf(stream, moving, stages)};
 }
 
-Terrain::Draws Terrain::shadowDraws(GpuStream& stream, const std::optional<Volume>& volume, double error, GroundStages stages) const
+Terrain::Draw Terrain::shadowDraw(GpuStream& stream, const std::optional<Volume>& volume, double error)
 {
     if (!present()) return {};
     const int level = m_tree.coarsestWithin(error);
     const auto seen = [&](const GroundNode& node) { return sees(volume, node); };
-    std::vector<ChosenNode> chosen;
     if (m_windowed) { // as fine as it is there, and tight between levels
-        TerrainChoice choice;
-        choice.choose(m_tree, {.place = m_levelsFrom,
-                               .metresPerTexel = m_map->metresPerTexel,
-                               .onlyLevel = level,
-                               .reach = [this](int one) { return m_texels->reach(one); }});
-        chosen = choice.nodes(m_tree, seen);
-    } else {
-        for (const GroundNode& node : m_tree.selectLevel(level, seen))
-            chosen.push_back({.node = node});
+        TerrainChoice& choice = m_shadowChoices[level];
+        if (choice.empty())
+            choice.choose(m_tree, {.place = m_levelsFrom,
+                                   .metresPerTexel = m_map->metresPerTexel,
+                                   .onlyLevel = level,
+                                   .reach = [this](int one) { return m_texels->reach(one); }});
+        return drawOf(stream, choice.nodes(m_tree, seen), GroundStages::Grid);
     }
-    return {drawOf(stream, chosen, level == 0 && !m_windowed ? GroundStages::Grid : stages)};
+    std::vector<ChosenNode> chosen;
+    for (const GroundNode& node : m_tree.selectLevel(level, seen))
+        chosen.push_back({.node = node});
+    return drawOf(stream, chosen, GroundStages::Grid);
 }
 
 Terrain::Draw Terrain::drawOf(GpuStream& stream, std::span<const ChosenNode> chosen, GroundStages stages) const
@@ -302,9 +306,7 @@ void Terrain::bind(GpuFrame& gpu) const
 
 void Terrain::bindForShadows(GpuFrame& gpu) const
 {
-    glsl::Terrain still = m_block; // of no eye, so whole
-    still.segmentAngle = 1e-9f;
-    gpu.constants(TERRAIN_BINDING, still);
+    gpu.constants(TERRAIN_BINDING, m_block);
     m_texels->bindForShadows(gpu);
 }
 

@@ -12,6 +12,8 @@
 #include "renderer/terrain_layers.h"
 #include "renderer/terrain_texels.h"
 
+#include <map>
+
 namespace renderer {
 
 // From which size on a map is held as windows around the eye, and how wide those are; texels.
@@ -37,8 +39,9 @@ public:
     };
     using Draws = std::vector<Draw>; // at most one for each of the stages
     Draws draws(GpuStream& stream, const std::optional<Volume>& volume, GroundStages stages) const;
-    // The same wherever the eye is: of one level that strays at most `error` m. So a shadow map that is kept stays right.
-    Draws shadowDraws(GpuStream& stream, const std::optional<Volume>& volume, double error, GroundStages stages) const;
+    // The same wherever the eye is: of one level that strays at most `error` m, so a shadow map that is kept stays right. Grids, as
+    // there is nothing to tessellate by. Of a map in windows it is coarser where that level is not there, as the eye last was.
+    Draw shadowDraw(GpuStream& stream, const std::optional<Volume>& volume, double error);
     void bind(GpuFrame& gpu) const;          // to be shaded
     void bindForShadows(GpuFrame& gpu) const;
     void draw(GpuFrame& gpu, const Draw& draw);
@@ -77,6 +80,7 @@ private:
     gl::VertexArray m_grids, m_patches;
     glsl::Terrain m_block{};
     TerrainChoice m_choice;
+    std::map<int, TerrainChoice> m_shadowChoices; // by level, of a map in windows; made when asked for in a frame
     glm::dvec3 m_levelsFrom{0}; // m, from the map's first texel
     std::uint64_t m_revision = 0;
     std::vector<glm::dvec4> m_touched;

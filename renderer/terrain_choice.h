@@ -35,6 +35,7 @@ public:
     };
     void choose(const TerrainTree& tree, const Eye& eye);
     void clear() { m_visited.clear(); }
+    bool empty() const { return m_visited.empty(); }
 
     // What was chosen and `seen(node)` lets through, each asked after its parent.
     template <class Test> std::vector<ChosenNode> nodes(const TerrainTree& tree, Test&& seen) const

@@ -113,7 +113,6 @@ void ShadowPass::update(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpo
             .world = scenery.world.revision(),
             .terrain = scenery.terrain.revision(),
             .culling = settings.culling,
-            .ground = settings.terrain,
             .lodPixels = settings.lod ? settings.lodPixels : 0.0f,
             .wind = {viewpoint.wind.towards, viewpoint.wind.speed, viewpoint.wind.gustiness}};
     if (layer.key.time) key.time = timeFor(index, viewpoint.time);
@@ -166,12 +165,11 @@ bool ShadowPass::draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoin
 
     const bool sways = mayBeSeen(scenery, viewpoint, request) && std::ranges::any_of(lists, swaysIn);
     const char* fragment = scenery.terrain.holed() ? "terrain_shadow.frag.glsl" : "empty.frag.glsl";
-    for (const Terrain::Draw& part : scenery.terrain.shadowDraws(gpu.stream(), volume, cascade.texel * kGroundErrorTexels, settings.terrain)) {
-        if (!gpu.use(m_shaders.program(scenery.terrain.program("shadow of the ground", part.stages, fragment)))) continue;
-        gl::apply(state);
-        scenery.terrain.bindForShadows(gpu);
-        scenery.terrain.draw(gpu, part);
-    }
+    if (!scenery.terrain.present() || !gpu.use(m_shaders.program(scenery.terrain.program("shadow of the ground", GroundStages::Grid, fragment)))) return sways;
+    const Terrain::Draw ground = scenery.terrain.shadowDraw(gpu.stream(), volume, cascade.texel * kGroundErrorTexels);
+    gl::apply(state);
+    scenery.terrain.bindForShadows(gpu);
+    scenery.terrain.draw(gpu, ground);
     return sways;
 }
 

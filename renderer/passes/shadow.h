@@ -21,7 +21,6 @@ private:
         glm::dvec3 towardSun{0};
         std::uint64_t world = 0, terrain = 0;
         bool culling = false;
-        GroundStages ground = GroundStages::Grid;
         float lodPixels = 0; // 0: full models
         glm::vec4 wind{0};          // its means
         std::optional<double> time; // s, where something sways

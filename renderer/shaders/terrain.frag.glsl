@@ -60,7 +60,6 @@ void main()
     vec3 axisU = side && fromX ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
     vec3 axisV = side ? vec3(0.0, -1.0, 0.0) : vec3(0.0, 0.0, 1.0);
 
-
     float away = log2(length(dFdx(metres)) + length(dFdy(metres))); // of metres a pixel
     float tiling = clamp(0.22 + (far.a - 0.5) * 0.6 + clamp(away * 0.12 + 0.5, 0.0, 0.45), 0.0, 0.8);
     Cover a = cover(choice.first, plane, axisU, axisV, tiling, true);

@@ -12,7 +12,7 @@ ivec3 windowTexel(ivec2 sample_, int level)
     return ivec3(sample_ % terrain.windowSide, level);
 }
 
-// A level that holds a place of the map for sure, as does the next finer whole number; changes without a step.
+// A level that holds a place of the map for sure, as does the next finer whole number.
 float windowLevel(vec2 texel)
 {
     vec2 away = abs(texel - terrain.windowsFrom);

@@ -27,8 +27,9 @@ float shown(vec3 a, vec3 b) // segments that the edge from a to b is long enough
 
 float segments(float morph, float shown_)
 {
-    // Where levels meet, both sides cut at the coarser one's vertices: in all of its own, in half of the finer one's.
-    bool meets = morph < 0.0 || morph == 1.0;
+    // Where levels meet, both sides cut at the coarser one's vertices: in all of its own, in half of the finer one's. Beside a patch
+    // of the finest level may lie a grid, which has all of its own.
+    bool meets = morph < 0.0 || morph == 1.0 || patchIn[0].z == 1.0;
     float own = kMost * (1.0 - 0.5 * max(morph, 0.0));
     return meets ? own : min(own, shown_);
 }

@@ -17,7 +17,9 @@ void main()
 {
     vec2 texel = min(patchIn.xy + gl_TessCoord.xy * (patchIn.z * float(TERRAIN_QUADS)), terrain.lastTexel);
     float stride = strideOf(patchIn.z);
-    vec2 at = texel / stride, low = min(floor(at), max(ceil(terrain.lastTexel / stride) - 1.0, 0.0)), f = at - low;
+    vec2 low = min(floor(texel / stride), max(ceil(terrain.lastTexel / stride) - 1.0, 0.0));
+    vec2 span = min((low + 1.0) * stride, terrain.lastTexel) - low * stride; // shorter at the map's edge
+    vec2 f = (texel - low * stride) / max(span, vec2(1e-6));
     float right = heightAt((low + vec2(1.0, 0.0)) * stride, stride), below = heightAt((low + vec2(0.0, 1.0)) * stride, stride);
     bool upper = f.x + f.y <= 1.0;
     float corner = heightAt((upper ? low : low + vec2(1.0)) * stride, stride);

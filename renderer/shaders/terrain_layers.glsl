@@ -59,8 +59,8 @@ void showPainted(inout Choice c, vec2 texel)
 #else
 #define COVER_AT(place) texelFetch(coverMap, place, 0)
 #endif
-    ivec2 low = max(min(ivec2(at), ivec2(last) - 1), ivec2(0));
-    vec2 f = at - vec2(low);
+    ivec2 low = max(min(ivec2(at), ivec2(ceil(last)) - 1), ivec2(0));
+    vec2 f = (at - vec2(low)) / max(min(vec2(1.0), last - vec2(low)), vec2(1e-6)); // the last cell may be a part of one
     vec4 near[4] = vec4[](COVER_AT(low), COVER_AT(low + ivec2(1, 0)), COVER_AT(low + ivec2(0, 1)), COVER_AT(low + ivec2(1, 1)));
     if (near[0].a + near[1].a + near[2].a + near[3].a == 0.0) return;
     vec4 weight = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);

@@ -26,6 +26,6 @@ float heightAt(vec2 texel, float stride)
 
 vec4 clipPosition(vec2 texel, float height)
 {
-    vec2 flat_ = texel * terrain.metres - terrain.eyeInTerrain;
+    vec2 flat_ = (texel - terrain.eyeTexel) * terrain.metres - terrain.eyeRest;
     return view.clipFromRelative * vec4(flat_.x, height - terrain.eyeHeight, flat_.y, 1.0);
 }

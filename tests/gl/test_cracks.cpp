@@ -87,11 +87,13 @@ TEST_P(DrawnGround, IsTightInFiveHundredLooks)
         canvas().load(map);
         int looks = 0, holes = 0;
         for (; looks < 250; ++looks) {
+            canvas().errorPixels = std::exp2(looks % 7); // up to 64: what is in view is of many levels
             const double above = std::exp2(random.unit() * 6) * 1.3; // 1.3 to 83 m
             const renderer::Eye eye = eyeAbove(*map, random, above);
             holes += canvas().holes(eye, eye, stages());
             if (holes > 0) break;
         }
+        canvas().errorPixels = 1;
         EXPECT_EQ(holes, 0) << "look " << looks;
     }
 }
@@ -106,7 +108,7 @@ TEST_P(DrawnGround, IsTightInEachCascade)
             for (int look = 0; look < 4; ++look) {
                 const glm::dvec3 sun = glm::normalize(glm::dvec3{random.unit() - 0.5, 1.4, random.unit() - 0.5});
                 const double width = std::min(texel * kSize.x * 4, side * 0.25);
-                EXPECT_EQ(canvas().holesForSun(sun, {0, 0, 0}, width, texel, stages()), 0) << texel;
+                EXPECT_EQ(canvas().holesForSun(sun, {0, 0, 0}, width, texel), 0) << texel;
             }
     }
 }
@@ -207,6 +209,32 @@ TEST_P(DrawnGround, FollowsTheEyeAndABrush)
     }
     EXPECT_GT(shown, 20'000);
     EXPECT_LT(off, shown / 2000);
+}
+
+TEST_P(DrawnGround, AllThatShowsItCompiles)
+{
+    canvas().load(test::heightMap({601, 300}, 1, rough));
+    for (const char* fragment : {"terrain.frag.glsl", "terrain_show.frag.glsl", "terrain_shadow.frag.glsl", "flat.frag.glsl"})
+        for (int view = 0; view < 5; ++view)
+            EXPECT_TRUE(canvas().compiles(stages(), fragment, {"LAYERS 3", "PAINTED", "HOLES", "FLOW", "LEVELS", "VIEW " + std::to_string(view)})) << fragment << " " << view;
+}
+
+// Holes go with the cover that has them, also when the next map is held another way.
+TEST_P(DrawnGround, HolesGoWithTheirMap)
+{
+    if (!GetParam().windowed) return;
+    const auto small = test::heightMap({201, 201}, 1, rough), large = test::heightMap({601, 300}, 1, rough);
+    const std::vector<std::uint32_t> hole(100, io::packed({.hole = true}));
+    io::Scene scene;
+    scene.exchange(small);
+    scene.exchange(std::make_shared<const io::CoverMap>(io::CoverMap{small->size}.with(hole, {10, 10}, {50, 50})));
+    canvas().terrain().update(scene, {}, {.everything = true});
+    EXPECT_TRUE(canvas().terrain().holed());
+    scene.exchange(large);
+    scene.exchange(std::shared_ptr<const io::CoverMap>{});
+    canvas().terrain().update(scene, {}, {.everything = true});
+    EXPECT_FALSE(canvas().terrain().holed());
+    EXPECT_EQ(std::ranges::count(canvas().terrain().coverDefines(), "HOLES"), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Stages, DrawnGround, testing::ValuesIn(kWays), [](const auto& way) { return way.param.name; });

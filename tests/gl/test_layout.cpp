@@ -56,6 +56,8 @@ TEST_F(Layout, TerrainAgrees)
     EXPECT_EQ(offsetIn(p, "terrain.levelsFrom"), offsetof(glsl::Terrain, levelsFrom));
     EXPECT_EQ(offsetIn(p, "terrain.eyeHeight"), offsetof(glsl::Terrain, eyeHeight));
     EXPECT_EQ(offsetIn(p, "terrain.segmentAngle"), offsetof(glsl::Terrain, segmentAngle));
+    EXPECT_EQ(offsetIn(p, "terrain.flowScale"), offsetof(glsl::Terrain, flowScale));
+    EXPECT_EQ(offsetIn(p, "terrain.layer[0].flowRamps"), offsetof(glsl::Terrain, layer) + offsetof(glsl::TerrainLayer, flowRamps));
     EXPECT_EQ(offsetIn(p, "terrain.layer[0].colour"), offsetof(glsl::Terrain, layer));
     EXPECT_EQ(offsetIn(p, "terrain.layer[1].normalLayer"),
               offsetof(glsl::Terrain, layer) + sizeof(glsl::TerrainLayer) + offsetof(glsl::TerrainLayer, normalLayer));

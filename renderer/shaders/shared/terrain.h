@@ -28,14 +28,15 @@ SHARED_STRUCT_END(TerrainLayer, 96)
 
 struct Terrain {
     vec2 lastTexel;    float metres;     int layers;   // size - 1; m per texel
-    vec2 eyeInTerrain; vec2 texelSize;                 // eye from the origin, m; 1 / size
+    vec2 eyeTexel;     vec2 eyeRest;                   // the eye: a whole texel, and m from there on
+    vec2 texelSize;    vec2 unused0;                   // 1 / size
     vec3 levelsFrom;   float eyeHeight;                // m, from the origin: the eye that the levels are chosen for; m
     float segmentAngle; int windows; int windowSide; float windowReach; // rad that a tessellated edge's segment takes at least; levels
                                                        // held as windows around the eye, 0: all of the map is there; samples; texels
     vec2 windowsFrom;  vec2 flowScale;                 // texel; cells of the flow a texel, over its size
     TerrainLayer layer[TERRAIN_LAYERS];
 };
-SHARED_STRUCT_END(Terrain, 3152)
+SHARED_STRUCT_END(Terrain, 3168)
 
 SHARED_END
 #endif

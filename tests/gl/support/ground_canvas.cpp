@@ -36,7 +36,7 @@ int GroundCanvas::draw(const renderer::Eye& eye, const renderer::Eye& levelsFor,
         m_target.clearColour(0, kNothing);
         m_target.clearDepth(0);
         m_target.bind();
-        m_terrain.aim(eye, levelsFor);
+        m_terrain.aim(eye, levelsFor, errorPixels);
         for (const renderer::Terrain::Draw& part : draws()) {
             if (!gpu.use(m_shaders.program(m_terrain.program("ground alone", part.stages, "../../tests/gl/support/place.frag.glsl")))) continue;
             renderer::gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GLenum(sun ? GL_NONE : GL_BACK), .depthClamp = sun});
@@ -57,7 +57,7 @@ int GroundCanvas::holes(const renderer::Eye& eye, const renderer::Eye& levelsFor
     return draw(eye, levelsFor, By::Camera, [&] { return m_terrain.draws(m_stream, renderer::volumeOf(eye), stages); }, places ? *places : own);
 }
 
-int GroundCanvas::holesForSun(const glm::dvec3& towardSun, const glm::dvec3& middle, double width, double texel, renderer::GroundStages stages)
+int GroundCanvas::holesForSun(const glm::dvec3& towardSun, const glm::dvec3& middle, double width, double texel)
 {
     constexpr double kDeep = 5000; // m
     const glm::dmat3 axes = renderer::lightAxes(towardSun);
@@ -67,7 +67,7 @@ int GroundCanvas::holesForSun(const glm::dvec3& towardSun, const glm::dvec3& mid
     clip[3] = {0, 0, 0.5, 1};
     const renderer::Eye eye{.position = middle, .clipFromRelative = clip, .size = m_size};
     std::vector<glm::vec4> places;
-    return draw(eye, eye, By::Sun, [&] { return m_terrain.shadowDraws(m_stream, std::nullopt, texel, stages); }, places);
+    return draw(eye, eye, By::Sun, [&] { return renderer::Terrain::Draws{m_terrain.shadowDraw(m_stream, std::nullopt, texel)}; }, places);
 }
 
 } // namespace test
