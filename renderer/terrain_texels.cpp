@@ -85,18 +85,6 @@ public:
     void follow(const glm::dvec2&, glsl::Terrain& block) override { block.windows = 0; }
     double reach(int) const override { return INFINITY; }
 
-    void bind(GpuFrame& gpu) const override
-    {
-        bindForShadows(gpu);
-        gpu.bind({{GROUND_NORMALS_UNIT, &m_normals}});
-    }
-
-    void bindForShadows(GpuFrame& gpu) const override
-    {
-        gpu.bind({{HEIGHTS_UNIT, &m_heights}});
-        if (m_cover) gpu.bind({{COVER_UNIT, &m_cover}});
-    }
-
 private:
     void uploadNormals(const io::HeightMap& map, const io::TexelRect& part, const Around& around)
     {
@@ -122,13 +110,22 @@ private:
         }
     }
 
-    gl::Texture m_heights; // m
-    gl::Texture m_normals;
     std::vector<Normals> m_normalMips; // as uploaded: a change makes those above it anew
-    gl::Texture m_cover;               // as io::packed()
 };
 
 } // namespace
+
+void TerrainTexels::bind(GpuFrame& gpu) const
+{
+    bindForShadows(gpu);
+    gpu.bind({{GROUND_NORMALS_UNIT, &m_normals}});
+}
+
+void TerrainTexels::bindForShadows(GpuFrame& gpu) const
+{
+    gpu.bind({{HEIGHTS_UNIT, &m_heights}});
+    if (m_cover) gpu.bind({{COVER_UNIT, &m_cover}});
+}
 
 std::unique_ptr<TerrainTexels> wholeTexels()
 {

@@ -36,8 +36,13 @@ public:
     // Texels from there on that a level is there for, of vertices `1 << level` apart; infinite where it is everywhere.
     virtual double reach(int level) const = 0;
 
-    virtual void bind(GpuFrame& gpu) const = 0; // to be shaded
-    virtual void bindForShadows(GpuFrame& gpu) const = 0;
+    void bind(GpuFrame& gpu) const; // to be shaded
+    void bindForShadows(GpuFrame& gpu) const;
+
+protected:
+    gl::Texture m_heights; // m
+    gl::Texture m_normals;
+    gl::Texture m_cover;   // as io::packed(); empty: none
 };
 
 // Everything at once, with mips of the normals.

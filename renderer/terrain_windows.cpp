@@ -1,4 +1,3 @@
-#include "renderer/shaders/shared/bindings.h"
 #include "renderer/terrain_texels.h"
 
 #include <algorithm>
@@ -135,18 +134,6 @@ public:
         return level + 1 >= levels() ? INFINITY : (m_side / 2 - kBlock - 2) * std::exp2(level);
     }
 
-    void bind(GpuFrame& gpu) const override
-    {
-        bindForShadows(gpu);
-        gpu.bind({{GROUND_NORMALS_UNIT, &m_normals}});
-    }
-
-    void bindForShadows(GpuFrame& gpu) const override
-    {
-        gpu.bind({{HEIGHTS_UNIT, &m_heights}});
-        if (m_cover) gpu.bind({{COVER_UNIT, &m_cover}});
-    }
-
 private:
     int levels() const { return m_heights.layers(); }
 
@@ -188,8 +175,7 @@ private:
     int m_side;
     std::shared_ptr<const io::HeightMap> m_map;
     std::shared_ptr<const io::CoverMap> m_coverMap;
-    gl::Texture m_heights, m_normals, m_cover; // a layer a level
-    std::vector<io::TexelRect> m_held;         // samples of each level that its layer holds
+    std::vector<io::TexelRect> m_held; // samples of each level that its layer of the textures holds
 };
 
 } // namespace

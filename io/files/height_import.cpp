@@ -2,7 +2,7 @@
 
 #include "io/files/atomic_file.h"
 #include "io/files/geo_tiff.h"
-#include "io/files/height_voids.h"
+#include "io/files/void_filling.h"
 #include "io/files/image_file.h"
 #include "io/scene/field_words.h"
 

@@ -39,7 +39,7 @@ struct HeightSource {
 };
 
 // PNG, JPEG, TIFF, GeoTIFF, EXR, HDR, DDS; .hgt; bare samples. 2 to 16385 texels a side. A picture whose channels differ is refused.
-// Voids (io/files/height_voids.h, and what the file marks so) are filled and counted in a complaint; more than 19 of 20 are an
+// Voids (io/files/void_filling.h, and what the file marks so) are filled and counted in a complaint; more than 19 of 20 are an
 // error. `layout` is for bare samples; a size that an image does not have is an error.
 Result<HeightSource> readHeightSource(const std::filesystem::path& file, const RawLayout& layout, Complaints& complaints);
 

@@ -3,7 +3,6 @@
 #include "io/base/contract.h"
 #include "io/files/atomic_file.h"
 #include "io/files/file_names.h"
-#include "io/files/height_voids.h"
 #include "io/files/image_file.h"
 #include "io/files/image_rows.h"
 #include "io/files/void_filling.h"

@@ -125,7 +125,7 @@ bool fillVoids(HeightMapBuilder& map, const Progress& progress, std::string_view
     const std::size_t total = map.voids();
     while (ring.count() > 0) {
         if (!report(progress, float(filled.count()) / float(total), step)) return false;
-        const auto known = [&](int x, int z) { return ring.has(x, z) ? std::numeric_limits<float>::quiet_NaN() : map.at(x, z); };
+        const auto known = [&](int x, int z) { return ring.has(x, z) ? kVoid : map.at(x, z); };
         ring.each([&](int x, int z) { map.set(x, z, meanAround(map.size(), x, z, known)); });
         ring.each([&](int x, int z) {
             filled.add(x, z);
@@ -141,6 +141,21 @@ bool fillVoids(HeightMapBuilder& map, const Progress& progress, std::string_view
         smooth(map, filled);
     }
     return true;
+}
+
+std::optional<std::size_t> fillVoids(glm::ivec2 size, std::vector<float>& rows)
+{
+    HeightMapBuilder map{size};
+    for (int z = 0; z < size.y; ++z)
+        map.addRow({rows.data() + std::ptrdiff_t(z) * size.x, std::size_t(size.x)});
+    if (map.voids() == 0) return 0;
+    if (map.voids() == rows.size()) return std::nullopt;
+    fillVoids(map, {}, {});
+    const TexelRect filled = map.voidRect();
+    for (int z = int(filled.low.y); z < filled.high.y; ++z)
+        for (int x = int(filled.low.x); x < filled.high.x; ++x)
+            rows[std::size_t(z) * std::size_t(size.x) + std::size_t(x)] = map.at(x, z);
+    return map.voids();
 }
 
 } // namespace io
