@@ -12,10 +12,7 @@ namespace {
 struct Coming {
     std::string_view key, now;
 };
-constexpr std::array<Coming, 4> kComing{{{"ao", "off"},
-                                         {"grass", "off"},
-                                         {"bloom", "off"},
-                                         {"sky", "tables"}}};
+constexpr std::array<Coming, 1> kComing{{{"grass", "off"}}};
 
 const Coming* coming(std::string_view key)
 {
@@ -45,11 +42,13 @@ struct Tier {
     renderer::AntiAliasing antiAliasing;
     bool wind;
     int skyPixels;
+    bool halfOcclusion, froxels;
+    renderer::CloudKind clouds;
 };
-constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, 3.5f, 1.5f, renderer::AntiAliasing::Off, false, 4},
-                                      {Quality::Medium, 4, 1024, 350, 3.0f, 1.5f, renderer::AntiAliasing::Fxaa, false, 4},
-                                      {Quality::High, 4, 2048, 1000, 1, 1, renderer::AntiAliasing::Fxaa, true, 1},
-                                      {Quality::Ultra, 4, 8192, 1e6f, 0.6f, 1, renderer::AntiAliasing::Fxaa, true, 1}}};
+constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, 3.5f, 1.5f, renderer::AntiAliasing::Off, false, 4, true, false, renderer::CloudKind::Layer},
+                                      {Quality::Medium, 4, 1024, 350, 3.0f, 1.5f, renderer::AntiAliasing::Fxaa, false, 4, true, false, renderer::CloudKind::Layer},
+                                      {Quality::High, 6, 2048, 1000, 1, 1, renderer::AntiAliasing::Fxaa, true, 1, false, true, renderer::CloudKind::Volume},
+                                      {Quality::Ultra, 6, 8192, 1e6f, 0.6f, 1, renderer::AntiAliasing::Fxaa, true, 1, false, true, renderer::CloudKind::Volume}}};
 
 // What a tier needs, a second. A frame of 1280x720 draws half a million triangles for the camera and each cascade.
 struct Need {
@@ -69,7 +68,6 @@ io::Status setDrawing(renderer::Settings& settings, std::string_view key, const 
         if (word == one->now || (one->now == "off" && (word == "false" || word == "0"))) return {};
         return later(key, word, one->now);
     }
-    if (key == "aa" && (word == "smaa" || word == "taa")) return later(key, word, "off or fxaa");
     const io::Status set = io::setField(settings, key, value);
     if (!set) return io::Error{"render." + set.error().where, set.error().what};
     return {};
@@ -108,6 +106,9 @@ Quality applyQuality(Quality quality, std::string_view device, renderer::Setting
         settings.antiAliasing = tier.antiAliasing;
         settings.wind = tier.wind;
         settings.skyPixels = tier.skyPixels;
+        settings.halfOcclusion = tier.halfOcclusion;
+        settings.froxels = tier.froxels && !drawsInSoftware(device);
+        settings.cloudKind = drawsInSoftware(device) ? renderer::CloudKind::Layer : tier.clouds;
         // Cheap where a card cuts triangles, dear where a processor does; what shows is the same.
         const bool cuts = quality >= Quality::High && !drawsInSoftware(device);
         settings.terrain = cuts ? renderer::GroundStages::Tessellation : renderer::GroundStages::Grid;

@@ -10,9 +10,11 @@
 
 namespace renderer {
 
-enum class AntiAliasing { Off, Fxaa };
+enum class AntiAliasing { Off, Fxaa, Smaa, Taa };
 enum class ToneMap { Agx, Neutral, Aces, Reinhard };
 enum class Shading { Pbr, BlinnPhong };
+enum class SkyFrom { Tables, Integral }; // many scatterings by tables, or one by a numerical integral for each pixel
+enum class CloudKind { Layer, Volume };
 enum class GroundStages { Tessellation, Grid }; // how the ground's vertices are made
 enum class Culler { Auto, Cpu, Gpu }; // auto: the GPU where there is one
 
@@ -25,6 +27,19 @@ struct Settings {
     bool clouds = true;
     bool fog = true;
     bool wind = true;
+    bool water = true;
+    bool lamps = true;    // point and spot lights
+    bool particles = true; // smoke, fire, dust, rain and snow
+    bool ao = true;       // ambient occlusion
+    bool shafts = true;   // light shafts in fog
+    bool bloom = true;
+    bool autoExposure = true; // where a scene asks for it
+    bool grading = true;  // white balance, contrast, saturation
+    bool vignette = true;
+    bool grain = true;
+    bool dither = true;
+    SkyFrom sky = SkyFrom::Tables;
+    CloudKind cloudKind = CloudKind::Layer; // set by --quality
     AntiAliasing antiAliasing = AntiAliasing::Fxaa;
     ToneMap toneMap = ToneMap::Agx;
     Shading shading = Shading::Pbr;
@@ -34,14 +49,19 @@ struct Settings {
     float meshLeeway = 1; // so many times as far may meshes in the picture, but not impostors, flat as they are; set by --quality
     int skyPixels = 1;   // pixels along a side of one of the sky's, but for sun and stars; set by --quality
 
+    bool halfOcclusion = false; // occlusion at half the resolution; set by --quality
+    bool froxels = false;       // shafts through a volume of shadowed fog rather than on the screen; set by --quality
+
     // Caps on the shadows that a scene asks for: what a machine can bear, set by --quality.
-    int mostCascades = 4;
+    int mostCascades = 6;
     int largestShadowMap = 8192;    // texels along a side
     float farthestShadow = 1e6f;    // m
     bool operator==(const Settings&) const = default;
 };
 
-constexpr auto enumNames(AntiAliasing) { return std::array<std::string_view, 2>{"off", "fxaa"}; }
+constexpr auto enumNames(AntiAliasing) { return std::array<std::string_view, 4>{"off", "fxaa", "smaa", "taa"}; }
+constexpr auto enumNames(SkyFrom) { return std::array<std::string_view, 2>{"tables", "integral"}; }
+constexpr auto enumNames(CloudKind) { return std::array<std::string_view, 2>{"layer", "volume"}; }
 constexpr auto enumNames(ToneMap) { return std::array<std::string_view, 4>{"agx", "neutral", "aces", "reinhard"}; }
 constexpr auto enumNames(Culler) { return std::array<std::string_view, 3>{"auto", "cpu", "gpu"}; }
 constexpr auto enumNames(GroundStages) { return std::array<std::string_view, 2>{"tessellation", "grid"}; }
@@ -58,6 +78,21 @@ void fields(auto& v, io::Of<Settings> auto& s)
     v("clouds", s.clouds, io::Hint{});
     v("fog", s.fog, io::Hint{});
     v("wind", s.wind, io::Hint{});
+    v("water", s.water, io::Hint{});
+    v("lamps", s.lamps, io::Hint{});
+    v("particles", s.particles, io::Hint{});
+    v("ao", s.ao, io::Hint{});
+    v("half_ao", s.halfOcclusion, io::Hint{});
+    v("shafts", s.shafts, io::Hint{});
+    v("froxels", s.froxels, io::Hint{});
+    v("bloom", s.bloom, io::Hint{});
+    v("auto_exposure", s.autoExposure, io::Hint{});
+    v("grading", s.grading, io::Hint{});
+    v("vignette", s.vignette, io::Hint{});
+    v("grain", s.grain, io::Hint{});
+    v("dither", s.dither, io::Hint{});
+    v("sky", s.sky, io::Hint{});
+    v("cloud_kind", s.cloudKind, io::Hint{});
     v("aa", s.antiAliasing, io::Hint{});
     v("tonemap", s.toneMap, io::Hint{});
     v("shading", s.shading, io::Hint{});
@@ -75,12 +110,13 @@ inline io::Shadows capped(io::Shadows shadows, const Settings& settings)
 // What of the frame is shown in place of the finished picture.
 enum class Show {
     Final, Albedo, Normal, Roughness, Depth, Position, Id, Ao, Shadow, Cascade, Luminance, Wireframe, Lod, Overdraw, Nodes,
+    ShadowMaps, ShadowBoxes,             // the cascades' maps themselves, and where they lie in the world
     Contours, Slope, Grid, Layers, Tiles // of the ground
 };
 constexpr auto enumNames(Show)
 {
-    return std::array<std::string_view, 20>{"final",  "albedo",  "normal",    "roughness", "depth", "position", "id",    "ao",     "shadow", "cascade",
-                                            "luminance", "wireframe", "lod",   "overdraw", "nodes", "contours", "slope", "grid",   "layers", "tiles"};
+    return std::array<std::string_view, 22>{"final",  "albedo",  "normal",    "roughness", "depth", "position", "id",    "ao",     "shadow", "cascade",
+                                            "luminance", "wireframe", "lod",   "overdraw", "nodes", "shadow-maps", "shadow-boxes", "contours", "slope", "grid",   "layers", "tiles"};
 }
 
 } // namespace renderer

@@ -8,6 +8,9 @@
 namespace io {
 
 enum class SunMode { Time, Manual };
+enum class Clock { Solar, Zone };         // what `time` counts: the sun's own hours, or those of a time zone
+enum class Splits { Practical, Manual };  // where cascades end: by lambda, or each by hand
+enum class ShadowFilter { Pcf3, Pcf5, Pcf7 };
 
 struct Sun {
     SunMode mode = SunMode::Time;
@@ -16,6 +19,16 @@ struct Sun {
     glm::vec3 irradiance{1};    // linear RGB above the atmosphere
     float angularDiameter = 0.53f; // degrees
     bool operator==(const Sun&) const = default;
+};
+
+struct Moon {
+    SunMode mode = SunMode::Time;
+    float azimuth = 315;           // degrees clockwise from north; used when manual
+    float elevation = 35;          // degrees above the horizon; used when manual
+    float phase = 0.5f;            // 0 new, 0.25 first quarter, 0.5 full, 0.75 last quarter; used when manual
+    float brightness = 1;          // factor on its light
+    float angularDiameter = 0.52f; // degrees
+    bool operator==(const Moon&) const = default;
 };
 
 // Earth's atmosphere after Hillaire 2020, with Mie extinction 4.44e-6 /m (Bruneton's albedo 0.9).
@@ -28,7 +41,11 @@ struct Sky {
     float mieG = 0.8f;                          // asymmetry of the Cornette-Shanks phase
     glm::vec3 ozone{0.650f, 1.881f, 0.085f};    // absorption at 25 km, 1e-6 per m
     float groundAlbedo = 0.3f;
+    float planetRadius = 6360;                  // km
+    float airDepth = 100;                       // km from the ground to where there is none
     float ambient = 1;                          // factor on the light that the sky gives to surfaces
+    float aerial = 1;                           // factor on distances, for the air before what is far away; 0: none
+    float stars = 1;                            // factor on the light of stars
     bool operator==(const Sky&) const = default;
 };
 
@@ -38,6 +55,12 @@ struct Clouds {
     float softness = 0.25f; // width of a cloud's edge, 0..1
     float speed = 12;       // m/s
     float direction = 70;   // degrees clockwise from north that they drift towards
+    float size = 11000;     // m, after which the pattern repeats
+    float change = 1;       // factor on how fast they change their shape while they drift
+    float thickness = 1400; // m from the base, of clouds that are volumes
+    float density = 0.04f;  // extinction in the thick of one, per m
+    float shadow = 1;       // share of the sun that a thick cloud takes from the ground
+    int seed = 0;
     bool operator==(const Clouds&) const = default;
 };
 
@@ -53,30 +76,95 @@ struct Fog {
     float height = 220;       // scale height over which it thins out, m
     float base = 0;           // m
     glm::vec3 tint{1};        // factor on the sky's colour that it takes
+    float shafts = 1;         // how much of the light in it is cut out by shadows: 0 none, 1 all
     bool operator==(const Fog&) const = default;
 };
 
 struct Shadows {
-    int cascades = 4;       // 1..4
+    int cascades = 4;       // 1..6
     float distance = 350;   // m, end of the last cascade
+    Splits splits = Splits::Practical;
     float lambda = 0.85f;   // 0 uniform splits, 1 logarithmic
+    float end1 = 15, end2 = 45, end3 = 110, end4 = 250, end5 = 600; // m, of all cascades but the last; used when manual
     int resolution = 2048;  // texels along a side of each cascade
-    float softness = 1;     // PCF radius, texels
+    ShadowFilter filter = ShadowFilter::Pcf3;
+    float softness = 1;     // factor on the filter's reach
+    bool contact = false;   // sharp where a shadow begins, softer away from what throws it; the two nearest cascades
+    float blend = 0.1f;     // share of a cascade over which it turns into the next
+    float fade = 0.08f;     // share of the distance over which shadows end
     float bias = 1;         // normal offset, texels
+    float depthBias = 1;    // towards the sun, texels
     bool operator==(const Shadows&) const = default;
 };
 
+struct Weather {
+    float rain = 0; // mm an hour
+    float snow = 0; // mm of water an hour
+    bool operator==(const Weather&) const = default;
+};
+
+// Of lakes and the sea: one level in all of the world, where the ground lies lower.
+struct Water {
+    bool on = false;
+    float level = 0;                            // m
+    glm::vec3 colour{0.012f, 0.045f, 0.05f};    // of what the water itself scatters, linear
+    float clarity = 4;                          // m after which a third of the light is left
+    float waves = 0.25f;                        // m, of the highest from trough to crest
+    float wavelength = 14;                      // m, of the longest
+    float foam = 0.5f;                          // how much lies along shores
+    bool operator==(const Water&) const = default;
+};
+
+struct Occlusion {
+    float radius = 2;   // m
+    float strength = 1; // power on the share of the sky that is seen
+    bool operator==(const Occlusion&) const = default;
+};
+
+// Exposure from what is in view: middle grey for the mean of its logarithms, without the darkest and brightest parts.
+struct AutoExposure {
+    bool on = false;
+    float compensation = 0;     // EV
+    float lowest = -4;          // EV, of the exposure that may be chosen
+    float highest = 12;         // EV
+    float seconds = 1;          // after which two thirds of a change are made
+    bool operator==(const AutoExposure&) const = default;
+};
+
+// What happens to the finished light: lens and film.
+struct Grading {
+    float bloom = 0.04f;       // share of light that the lens scatters
+    float temperature = 6500;  // K, of the light that is to look white
+    float tint = 0;            // -1 green .. 1 magenta
+    float contrast = 1;        // around middle grey
+    float saturation = 1;
+    float vignette = 0.15f;    // how much darker the corners are
+    float grain = 0;
+    bool operator==(const Grading&) const = default;
+};
+
 struct Environment {
-    float time = 10.5f;   // hours, local solar time
+    float time = 10.5f;   // hours
+    Clock clock = Clock::Solar;
+    float timeZone = 0;   // hours from UTC, east positive; used with Clock::Zone
     int dayOfYear = 172;  // 1..366
+    int year = 2026;
     float latitude = 49;  // degrees, north positive
+    float longitude = 0;  // degrees, east positive
+    float daySpeed = 60;  // seconds of the world in each second while the day runs
     float exposure = 3.3f; // EV: the picture is multiplied by 2^exposure before tone mapping
+    AutoExposure autoExposure;
     Sun sun;
+    Moon moon;
     Sky sky;
     Clouds clouds;
+    Weather weather;
     Wind wind;
     Fog fog;
+    Water water;
     Shadows shadows;
+    Occlusion occlusion;
+    Grading grading;
     Extra extra;
 
     bool operator==(const Environment&) const = default;

@@ -34,6 +34,11 @@ template <class T, class Base>
 concept Of = std::same_as<std::remove_const_t<T>, Base>;
 
 constexpr auto enumNames(SunMode) { return std::array<std::string_view, 2>{"time", "manual"}; }
+constexpr auto enumNames(Clock) { return std::array<std::string_view, 2>{"solar", "zone"}; }
+constexpr auto enumNames(Splits) { return std::array<std::string_view, 2>{"practical", "manual"}; }
+constexpr auto enumNames(ShadowFilter) { return std::array<std::string_view, 3>{"pcf3", "pcf5", "pcf7"}; }
+constexpr auto enumNames(LightKind) { return std::array<std::string_view, 3>{"none", "point", "spot"}; }
+constexpr auto enumNames(ParticleKind) { return std::array<std::string_view, 4>{"none", "fire", "smoke", "dust"}; }
 constexpr auto enumNames(Collision) { return std::array<std::string_view, 4>{"none", "box", "mesh", "capsule"}; }
 constexpr auto enumNames(DrawPath) { return std::array<std::string_view, 2>{"batched", "direct"}; }
 
@@ -46,6 +51,16 @@ void fields(auto& v, Of<Sun> auto& s)
     v("angular_diameter", s.angularDiameter, Hint{.min = 0.05, .max = 20, .unit = "deg"});
 }
 
+void fields(auto& v, Of<Moon> auto& m)
+{
+    v("mode", m.mode, Hint{});
+    v("azimuth", m.azimuth, Hint{.min = -360, .max = 360, .unit = "deg"});
+    v("elevation", m.elevation, Hint{.min = -90, .max = 90, .unit = "deg"});
+    v("phase", m.phase, Hint{.min = 0, .max = 1});
+    v("brightness", m.brightness, Hint{.min = 0, .max = 100});
+    v("angular_diameter", m.angularDiameter, Hint{.min = 0.05, .max = 20, .unit = "deg"});
+}
+
 void fields(auto& v, Of<Sky> auto& s)
 {
     v("rayleigh", s.rayleigh, Hint{.min = 0, .max = 200, .unit = "1e-6/m"});
@@ -56,7 +71,11 @@ void fields(auto& v, Of<Sky> auto& s)
     v("mie_g", s.mieG, Hint{.min = -0.99, .max = 0.99});
     v("ozone", s.ozone, Hint{.min = 0, .max = 50, .unit = "1e-6/m"});
     v("ground_albedo", s.groundAlbedo, Hint{.min = 0, .max = 1});
+    v("planet_radius", s.planetRadius, Hint{.min = 100, .max = 100000, .unit = "km"});
+    v("air_depth", s.airDepth, Hint{.min = 10, .max = 1000, .unit = "km"});
     v("ambient", s.ambient, Hint{.min = 0, .max = 10});
+    v("aerial", s.aerial, Hint{.min = 0, .max = 50});
+    v("stars", s.stars, Hint{.min = 0, .max = 100});
 }
 
 void fields(auto& v, Of<Clouds> auto& c)
@@ -66,6 +85,18 @@ void fields(auto& v, Of<Clouds> auto& c)
     v("softness", c.softness, Hint{.min = 0.01, .max = 1});
     v("speed", c.speed, Hint{.min = 0, .max = 200, .unit = "m/s"});
     v("direction", c.direction, Hint{.min = -360, .max = 360, .unit = "deg"});
+    v("size", c.size, Hint{.min = 500, .max = 200000, .unit = "m", .style = Style::Logarithmic});
+    v("change", c.change, Hint{.min = 0, .max = 100});
+    v("thickness", c.thickness, Hint{.min = 10, .max = 10000, .unit = "m"});
+    v("density", c.density, Hint{.min = 0, .max = 1, .unit = "1/m", .style = Style::Logarithmic});
+    v("shadow", c.shadow, Hint{.min = 0, .max = 1});
+    v("seed", c.seed, Hint{.min = 0, .max = 1e6});
+}
+
+void fields(auto& v, Of<Weather> auto& w)
+{
+    v("rain", w.rain, Hint{.min = 0, .max = 200, .unit = "mm/h"});
+    v("snow", w.snow, Hint{.min = 0, .max = 200, .unit = "mm/h"});
 }
 
 void fields(auto& v, Of<Wind> auto& w)
@@ -81,30 +112,90 @@ void fields(auto& v, Of<Fog> auto& f)
     v("height", f.height, Hint{.min = 1, .max = 20000, .unit = "m", .style = Style::Logarithmic});
     v("base", f.base, Hint{.min = -10000, .max = 10000, .unit = "m"});
     v("tint", f.tint, Hint{.min = 0, .max = 4, .style = Style::Colour});
+    v("shafts", f.shafts, Hint{.min = 0, .max = 1});
+}
+
+void fields(auto& v, Of<Water> auto& w)
+{
+    v("on", w.on, Hint{});
+    v("level", w.level, Hint{.min = -1e5, .max = 1e5, .unit = "m"});
+    v("colour", w.colour, Hint{.min = 0, .max = 4, .style = Style::Colour});
+    v("clarity", w.clarity, Hint{.min = 0.05, .max = 200, .unit = "m", .style = Style::Logarithmic});
+    v("waves", w.waves, Hint{.min = 0, .max = 20, .unit = "m"});
+    v("wavelength", w.wavelength, Hint{.min = 0.5, .max = 500, .unit = "m"});
+    v("foam", w.foam, Hint{.min = 0, .max = 1});
 }
 
 void fields(auto& v, Of<Shadows> auto& s)
 {
-    v("cascades", s.cascades, Hint{.min = 1, .max = 4});
+    v("cascades", s.cascades, Hint{.min = 1, .max = 6});
     v("distance", s.distance, Hint{.min = 10, .max = 5000, .unit = "m"});
+    v("splits", s.splits, Hint{});
     v("lambda", s.lambda, Hint{.min = 0, .max = 1});
+    v("end_1", s.end1, Hint{.min = 1, .max = 5000, .unit = "m"});
+    v("end_2", s.end2, Hint{.min = 1, .max = 5000, .unit = "m"});
+    v("end_3", s.end3, Hint{.min = 1, .max = 5000, .unit = "m"});
+    v("end_4", s.end4, Hint{.min = 1, .max = 5000, .unit = "m"});
+    v("end_5", s.end5, Hint{.min = 1, .max = 5000, .unit = "m"});
     v("resolution", s.resolution, Hint{.min = 256, .max = 8192});
-    v("softness", s.softness, Hint{.min = 0, .max = 4, .unit = "texels"});
+    v("filter", s.filter, Hint{});
+    v("softness", s.softness, Hint{.min = 0, .max = 4});
+    v("contact", s.contact, Hint{});
+    v("blend", s.blend, Hint{.min = 0, .max = 0.5});
+    v("fade", s.fade, Hint{.min = 0, .max = 0.5});
     v("bias", s.bias, Hint{.min = 0, .max = 8, .unit = "texels"});
+    v("depth_bias", s.depthBias, Hint{.min = 0, .max = 16, .unit = "texels"});
+}
+
+void fields(auto& v, Of<Occlusion> auto& o)
+{
+    v("radius", o.radius, Hint{.min = 0.05, .max = 50, .unit = "m", .style = Style::Logarithmic});
+    v("strength", o.strength, Hint{.min = 0, .max = 4});
+}
+
+void fields(auto& v, Of<AutoExposure> auto& a)
+{
+    v("on", a.on, Hint{});
+    v("compensation", a.compensation, Hint{.min = -10, .max = 10, .unit = "EV"});
+    v("lowest", a.lowest, Hint{.min = -20, .max = 20, .unit = "EV"});
+    v("highest", a.highest, Hint{.min = -20, .max = 20, .unit = "EV"});
+    v("seconds", a.seconds, Hint{.min = 0, .max = 60, .unit = "s"});
+}
+
+void fields(auto& v, Of<Grading> auto& g)
+{
+    v("bloom", g.bloom, Hint{.min = 0, .max = 1});
+    v("temperature", g.temperature, Hint{.min = 1500, .max = 20000, .unit = "K"});
+    v("tint", g.tint, Hint{.min = -1, .max = 1});
+    v("contrast", g.contrast, Hint{.min = 0.25, .max = 4});
+    v("saturation", g.saturation, Hint{.min = 0, .max = 2});
+    v("vignette", g.vignette, Hint{.min = 0, .max = 1});
+    v("grain", g.grain, Hint{.min = 0, .max = 1});
 }
 
 void fields(auto& v, Of<Environment> auto& e)
 {
     v("time", e.time, Hint{.min = 0, .max = 24, .unit = "h"});
+    v("clock", e.clock, Hint{});
+    v("time_zone", e.timeZone, Hint{.min = -14, .max = 14, .unit = "h"});
     v("day_of_year", e.dayOfYear, Hint{.min = 1, .max = 366});
+    v("year", e.year, Hint{.min = 1900, .max = 2100});
     v("latitude", e.latitude, Hint{.min = -90, .max = 90, .unit = "deg"});
+    v("longitude", e.longitude, Hint{.min = -180, .max = 180, .unit = "deg"});
+    v("day_speed", e.daySpeed, Hint{.min = 0, .max = 86400, .style = Style::Logarithmic});
     v("exposure", e.exposure, Hint{.min = -20, .max = 20, .unit = "EV"});
+    v("auto_exposure", e.autoExposure, Hint{});
     v("sun", e.sun, Hint{});
+    v("moon", e.moon, Hint{});
     v("sky", e.sky, Hint{});
     v("clouds", e.clouds, Hint{});
+    v("weather", e.weather, Hint{});
     v("wind", e.wind, Hint{});
     v("fog", e.fog, Hint{});
+    v("water", e.water, Hint{});
     v("shadows", e.shadows, Hint{});
+    v("occlusion", e.occlusion, Hint{});
+    v("grading", e.grading, Hint{});
 }
 
 void fields(auto& v, Of<TerrainLayer> auto& l)
@@ -156,6 +247,30 @@ void fields(auto& v, Of<CameraPath> auto& p)
     v("keys", p.keys, Hint{});
 }
 
+void fields(auto& v, Of<LightSource> auto& l)
+{
+    v("kind", l.kind, Hint{});
+    v("colour", l.colour, Hint{.min = 0, .max = 4, .style = Style::Colour});
+    v("intensity", l.intensity, Hint{.min = 0, .max = 10000, .style = Style::Logarithmic});
+    v("range", l.range, Hint{.min = 0.1, .max = 1000, .unit = "m", .style = Style::Logarithmic});
+    v("inner", l.inner, Hint{.min = 0, .max = 89, .unit = "deg"});
+    v("outer", l.outer, Hint{.min = 1, .max = 89, .unit = "deg"});
+    v("offset", l.offset, Hint{.min = -1000, .max = 1000, .unit = "m"});
+    v("cast_shadow", l.castShadow, Hint{});
+}
+
+void fields(auto& v, Of<ParticleSource> auto& p)
+{
+    v("kind", p.kind, Hint{});
+    v("rate", p.rate, Hint{.min = 0, .max = 2000, .unit = "1/s"});
+    v("life", p.life, Hint{.min = 0.05, .max = 120, .unit = "s"});
+    v("size", p.size, Hint{.min = 0.005, .max = 100, .unit = "m", .style = Style::Logarithmic});
+    v("rise", p.rise, Hint{.min = -50, .max = 50, .unit = "m/s"});
+    v("spread", p.spread, Hint{.min = 0, .max = 100, .unit = "m"});
+    v("colour", p.colour, Hint{.min = 0, .max = 4, .style = Style::Colour});
+    v("offset", p.offset, Hint{.min = -1000, .max = 1000, .unit = "m"});
+}
+
 // A template's name is its file's, so it is not among the fields of the file.
 void fields(auto& v, Of<Template> auto& t)
 {
@@ -173,6 +288,8 @@ void fields(auto& v, Of<Template> auto& t)
     v("impostor", t.impostor, Hint{});
     v("draw_path", t.drawPath, Hint{});
     v("wind", t.wind, Hint{.min = 0, .max = 1});
+    v("light", t.light, Hint{});
+    v("particles", t.particles, Hint{});
 }
 
 void fields(auto& v, Of<Transform> auto& t)
