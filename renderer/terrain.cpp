@@ -238,12 +238,33 @@ bool Terrain::sees(const std::optional<Volume>& volume, const GroundNode& node) 
     });
 }
 
+GroundHorizon::Box Terrain::boxOf(const GroundNode& node) const
+{
+    const glm::ivec2 last = glm::min(node.origin + (TERRAIN_QUADS << node.level), m_map->size - 1);
+    return {.from = glm::dvec2{node.origin} * m_map->metresPerTexel, .to = glm::dvec2{last} * m_map->metresPerTexel, .low = node.low, .high = node.high};
+}
+
+// From beneath or beside it one looks through its back.
+bool Terrain::eyeAboveGround() const
+{
+    const std::optional<double> height = m_map->height(m_levelsFrom.x + m_map->origin.x, m_levelsFrom.z + m_map->origin.y);
+    return height && m_levelsFrom.y > *height;
+}
+
+std::vector<ChosenNode> Terrain::chosenBeforeOthers(const Volume& volume) const
+{
+    GroundHorizon horizon{m_levelsFrom};
+    return m_choice.nodes(
+        m_tree, [&](const GroundNode& node) { return sees(volume, node) && !horizon.hides(boxOf(node)); },
+        [&](const GroundNode& node) { horizon.add(boxOf(node)); });
+}
+
 // What rests at the finest level is drawn as grids by both stages: those triangles are the map's, to either side of their diagonals,
 // and a tessellator chooses its own. Their edges meet, as both cut them at the same texels.
 Terrain::Draws Terrain::draws(GpuStream& stream, const std::optional<Volume>& volume, GroundStages stages) const
 {
     if (!present()) return {};
-    std::vector<ChosenNode> chosen = m_choice.nodes(m_tree, [&](const GroundNode& node) { return sees(volume, node); });
+    std::vector<ChosenNode> chosen = volume && !m_holed && eyeAboveGround() ? chosenBeforeOthers(*volume) : m_choice.nodes(m_tree, [&](const GroundNode& node) { return sees(volume, node); });
     if (stages == GroundStages::Grid) return {drawOf(stream, chosen, stages)};
     const auto moving = std::ranges::partition(chosen, [](const ChosenNode& one) {
         const bool edgesRest = glm::all(glm::lessThanEqual(one.edges, glm::vec4{0}) || glm::equal(one.edges, glm::vec4{1}));

@@ -6,6 +6,7 @@
 #include "io/scene/scene.h"
 #include "renderer/eye.h"
 #include "renderer/gpu_frame.h"
+#include "renderer/ground_horizon.h"
 #include "renderer/settings.h"
 #include "renderer/shader_library.h"
 #include "renderer/terrain_choice.h"
@@ -30,7 +31,7 @@ public:
     // Chooses the levels of detail that an eye needs, to be seen by another (usually the same).
     void aim(const Eye& eye, const Eye& levelsFor, double errorPixels = 1);
 
-    // The chosen nodes that a volume (or, without one, everybody) sees; the block and textures are bound.
+    // The chosen nodes that a volume sees and that no other ground hides (or, without one, all of them); the block and textures are bound.
     struct Draw {
         GroundStages stages = GroundStages::Grid;
         GpuStream::Piece patches, commands;
@@ -64,6 +65,9 @@ private:
     void changeHeights(const io::TexelRect& changed);
     void makeGrid();
     void measureFlow();
+    GroundHorizon::Box boxOf(const GroundNode& node) const; // from the map's first texel
+    bool eyeAboveGround() const;
+    std::vector<ChosenNode> chosenBeforeOthers(const Volume& volume) const; // what other ground hides is left out
     bool sees(const std::optional<Volume>& volume, const GroundNode& node) const;
     Draw drawOf(GpuStream& stream, std::span<const ChosenNode> chosen, GroundStages stages) const;
 

@@ -37,24 +37,37 @@ public:
     void clear() { m_visited.clear(); }
     bool empty() const { return m_visited.empty(); }
 
-    // What was chosen and `seen(node)` lets through, each asked after its parent.
-    template <class Test> std::vector<ChosenNode> nodes(const TerrainTree& tree, Test&& seen) const
+    // What was chosen and `seen(node)` lets through, each asked after its parent; from front to back, as the eye's place has it.
+    // `passed(node)` comes after each that was let through, and after what is within it.
+    template <class Test, class Passed> std::vector<ChosenNode> nodes(const TerrainTree& tree, Test&& seen, Passed&& passed) const
     {
         std::vector<ChosenNode> chosen;
-        if (!m_visited.empty()) collect(tree, tree.levels() - 1, {0, 0}, seen, chosen);
+        if (!m_visited.empty()) collect(tree, tree.levels() - 1, {0, 0}, seen, passed, chosen);
         return chosen;
+    }
+    template <class Test> std::vector<ChosenNode> nodes(const TerrainTree& tree, Test&& seen) const
+    {
+        return nodes(tree, seen, [](const GroundNode&) {});
     }
 
 private:
-    template <class Test> void collect(const TerrainTree& tree, int level, glm::ivec2 node, Test& seen, std::vector<ChosenNode>& out) const
+    template <class Test, class Passed>
+    void collect(const TerrainTree& tree, int level, glm::ivec2 node, Test& seen, Passed& passed, std::vector<ChosenNode>& out) const
     {
         const GroundNode here = tree.nodeAt(level, node);
         if (!seen(here)) return;
-        if (!split(tree, level, node)) return out.push_back(finished(tree, here, node));
-        for (int quarter = 0; quarter < 4; ++quarter) {
-            const glm::ivec2 child = node * 2 + glm::ivec2{quarter & 1, quarter >> 1};
-            if (glm::all(glm::lessThan(child, tree.nodes(level - 1)))) collect(tree, level - 1, child, seen, out);
+        if (!split(tree, level, node)) {
+            out.push_back(finished(tree, here, node));
+            return passed(here);
         }
+        const glm::dvec2 middle = glm::dvec2{here.origin + (TERRAIN_QUADS << level) / 2} * m_eye.metresPerTexel;
+        const int first = (m_eye.place.x >= middle.x ? 1 : 0) + (m_eye.place.z >= middle.y ? 2 : 0);
+        for (const int turned : {0, 1, 2, 3}) {
+            const int quarter = first ^ turned;
+            const glm::ivec2 child = node * 2 + glm::ivec2{quarter & 1, quarter >> 1};
+            if (glm::all(glm::lessThan(child, tree.nodes(level - 1)))) collect(tree, level - 1, child, seen, passed, out);
+        }
+        passed(here);
     }
     struct Reach {
         float value = 0;

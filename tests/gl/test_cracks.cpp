@@ -182,6 +182,31 @@ TEST_P(DrawnGround, MovesWithoutAJump)
     EXPECT_LE(farthest, stages() == GroundStages::Grid ? 0.25 : 0.35);
 }
 
+// Ground that other ground hides is left out: less is drawn, and the same is seen, to the bit.
+TEST_P(DrawnGround, MissesNothingThatIsSeen)
+{
+    io::Random random{17};
+    std::uint64_t drawn = 0;
+    for (const auto& map : {test::heightMap({2049, 1900}, 1, mountains), test::heightMap({1025, 900}, 2, rough), test::heightMap({601, 777}, 1, needles)}) {
+        canvas().load(map);
+        for (int look = 0; look < 40; ++look) {
+            const glm::dvec2 at = glm::dvec2{random.unit() - 0.5, random.unit() - 0.5} * (glm::dvec2{map->size - 2} * map->metresPerTexel);
+            renderer::Eye eye = walker(*map, at, 0.05 + 300 * std::pow(double(random.unit()), 6), random.unit() * 360);
+            if (look % 10 == 9) eye.position.y -= 40; // beneath the ground one looks through its back
+            canvas().errorPixels = std::exp2(look % 4);
+            std::vector<glm::vec4> everything, seen;
+            canvas().culled = false;
+            canvas().holes(eye, eye, stages(), &everything);
+            canvas().culled = true;
+            canvas().holes(eye, eye, stages(), &seen);
+            drawn += canvas().triangles;
+            EXPECT_TRUE(everything == seen) << "look " << look;
+        }
+        canvas().errorPixels = 1;
+    }
+    EXPECT_GT(drawn, 0u);
+}
+
 // Windows follow an eye that goes far and a brush, and show what a texture of the whole map does.
 TEST_P(DrawnGround, FollowsTheEyeAndABrush)
 {

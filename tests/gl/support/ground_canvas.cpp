@@ -37,7 +37,9 @@ int GroundCanvas::draw(const renderer::Eye& eye, const renderer::Eye& levelsFor,
         m_target.clearDepth(0);
         m_target.bind();
         m_terrain.aim(eye, levelsFor, errorPixels);
+        triangles = 0;
         for (const renderer::Terrain::Draw& part : draws()) {
+            triangles += part.triangles;
             if (!gpu.use(m_shaders.program(m_terrain.program("ground alone", part.stages, "../../tests/gl/support/place.frag.glsl")))) continue;
             renderer::gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GLenum(sun ? GL_NONE : GL_BACK), .depthClamp = sun});
             sun ? m_terrain.bindForShadows(gpu) : m_terrain.bind(gpu);
@@ -54,7 +56,7 @@ int GroundCanvas::draw(const renderer::Eye& eye, const renderer::Eye& levelsFor,
 int GroundCanvas::holes(const renderer::Eye& eye, const renderer::Eye& levelsFor, renderer::GroundStages stages, std::vector<glm::vec4>* places)
 {
     std::vector<glm::vec4> own;
-    return draw(eye, levelsFor, By::Camera, [&] { return m_terrain.draws(m_stream, renderer::volumeOf(eye), stages); }, places ? *places : own);
+    return draw(eye, levelsFor, By::Camera, [&] { return m_terrain.draws(m_stream, culled ? std::optional{renderer::volumeOf(eye)} : std::nullopt, stages); }, places ? *places : own);
 }
 
 int GroundCanvas::holesForSun(const glm::dvec3& towardSun, const glm::dvec3& middle, double width, double texel)

@@ -16,6 +16,8 @@ public:
         return bool(m_shaders.program(m_terrain.program("ground", stages, fragment, std::move(defines))));
     }
 
+    bool culled = true;     // or all of it is drawn, seen or not
+    std::uint64_t triangles = 0; // of the last draw
     double errorPixels = 1; // more of them bring level upon level close to the eye
 
     // Pixels without ground, at the levels that an eye needs (usually the same); places of all pixels where they are asked for: texel

@@ -1,0 +1,35 @@
+// What of the ground stands behind other ground: for each direction around the eye, how steeply upwards one must look to see over all that
+// was met so far (a horizon map of one point; compare Stewart, "Hierarchical Visibility in Terrains", 1997). It knows lengthy boxes
+// only, so it hides less than there is to hide, and never what can be seen.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+
+namespace renderer {
+
+// For an eye above ground without holes. Boxes come from front to back: of any two in one direction, the nearer one first.
+class GroundHorizon {
+public:
+    explicit GroundHorizon(const glm::dvec3& eye);
+
+    struct Box { // m; the ground fills it from side to side, and lies between low and high
+        glm::dvec2 from{0}, to{0}; // x and z
+        double low = 0, high = 0;
+    };
+    bool hides(const Box& box) const;
+    void add(const Box& box);
+
+private:
+    static constexpr int kSectors = 2048;
+    struct Seen { // of a box, from the eye
+        double first = 0, last = 0;     // sectors, `first` in [0, kSectors), `last` up to once around farther
+        double nearest = 0, farthest = 0; // m, on the plane
+    };
+    bool beside(const Box& box, Seen& seen) const; // false where the eye is above the box
+
+    glm::dvec3 m_eye;
+    std::array<float, kSectors> m_slopes; // of the steepest line of sight that meets ground
+};
+
+} // namespace renderer
