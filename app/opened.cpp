@@ -3,6 +3,7 @@
 #include "app/drawing_settings.h"
 #include "app/report.h"
 #include "editor/properties.h"
+#include "io/files/kept_looks.h"
 
 #include <chrono>
 #include <fmt/format.h>
@@ -45,6 +46,11 @@ io::Camera middleOf(const editor::Document& document)
 
 int applyToWorld(const Options& options, editor::Document& document)
 {
+    if (!options.look.empty()) {
+        io::Result<io::Environment> look = io::lookNamed(options.look, document.scene().environment(), io::KeptLooks{io::looksFolder()});
+        if (!look) return misuse("--look " + look.error().text());
+        editor::setEnvironment(document, "Look of the day", *std::move(look));
+    }
     if (options.time) {
         const io::Status set = editor::setProperty(document, "environment.time", double(*options.time));
         if (!set) return misuse(set.error().text());

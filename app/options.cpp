@@ -112,6 +112,7 @@ void addDrawing(CLI::App& app, Options& o)
            "--size", [&o](const std::string& text) { o.size = sizeFrom(text), o.sizeGiven = true; },
            "pixels (default 1280x720)")
         ->type_name("WxH");
+    app.add_option("--look", o.look, "a look of the day: dawn, noon, golden-hour, dusk, overcast, storm, night or your own")->type_name("NAME");
     option(app, "--time", o.time, timeFrom, "local solar time, 0..24")->type_name("HOURS");
     app.add_option_function<std::vector<std::string>>(
            "--set",

@@ -44,6 +44,7 @@ struct Options {
     std::string scene;          // empty: the start scene
     glm::ivec2 size{1280, 720}; // pixels
     bool sizeGiven = false;
+    std::string look;                                      // one of Wold's or of the person's; empty: the scene's
     std::optional<float> time;                             // hours
     std::vector<std::pair<std::string, std::string>> sets; // KEY, VALUE
     std::optional<Quality> quality;

@@ -126,6 +126,7 @@ void Editor::adopt(std::unique_ptr<Document> document)
     m_editing.clear();
     m_viewport.reset(); // what it draws on is about to go
     m_document = std::move(document);
+    m_live.forget();
     m_selection = {};
     wake();
     m_viewport.lookFrom(*m_document);
@@ -152,6 +153,7 @@ void Editor::closeProject()
     m_viewport.reset();
     m_selection = {};
     m_document.reset();
+    m_live.forget();
 }
 
 bool Editor::save()
@@ -243,6 +245,7 @@ void Editor::frame(double seconds)
     m_rested = m_resting;
     m_frameSeconds = seconds;
     if (drifts() && !m_rested) m_time += seconds;
+    if (m_document && m_live.moves()) m_live.pass(*m_document, m_rested ? 0 : std::min(seconds, kHitch));
     m_toasts.pass(m_rested ? seconds : std::min(seconds, kHitch));
     clearMap();
     follow();
@@ -294,7 +297,9 @@ void Editor::noteActivity(double seconds)
 
 bool Editor::drifts() const
 {
-    if (!animates() || !m_document) return false;
+    if (!m_document) return false;
+    if (m_live.moves()) return true;
+    if (!animates()) return false;
     const io::Environment& environment = m_document->scene().environment();
     const bool clouds = renderSettings.clouds && environment.clouds.speed != 0 && environment.clouds.coverage > 0;
     const bool wind = renderSettings.wind && environment.wind.speed > 0;

@@ -8,6 +8,7 @@
 #include "editor/dialogs/ground_dialogs.h"
 #include "editor/document.h"
 #include "editor/host.h"
+#include "editor/live_environment.h"
 #include "editor/loading.h"
 #include "editor/picker.h"
 #include "editor/selection.h"
@@ -68,6 +69,7 @@ public:
     Dialogs& dialogs() { return m_dialogs; }
     GroundDialogs& groundDialogs() { return m_groundDialogs; }
     Toasts& toasts() { return m_toasts; }
+    LiveEnvironment& live() { return m_live; }
     Host& host() { return m_host; }
     renderer::Renderer* renderer() { return m_renderer; }
 
@@ -118,6 +120,7 @@ private:
     Dialogs m_dialogs;
     GroundDialogs m_groundDialogs;
     Toasts m_toasts;
+    LiveEnvironment m_live;
     Loading m_loading;
     io::Value m_savedSettings;
     std::string m_editing;

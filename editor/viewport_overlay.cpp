@@ -72,6 +72,7 @@ renderer::FrameInput Viewport::frameInput(Editor& editor)
     input.settings = editor.renderSettings;
     input.show = editor.show;
     input.time = editor.time();
+    input.environment = editor.live().shown(editor.document()->scene().environment());
     input.selection = m_tinted;
     if (m_ghost) input.ghosts = {&*m_ghost, 1};
     m_frameLines = m_lines;

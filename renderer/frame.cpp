@@ -34,9 +34,10 @@ Picture Renderer::State::render(const FrameInput& in)
 {
     shaders.reloadIfDue();
     GpuFrame gpu{stream, timers, stats, empty};
-    scenery.groundShadow.update(scenery.terrain.heights(), io::towardSun(scenery.environment));
+    const io::Environment& environment = in.environment ? *in.environment : scenery.environment;
+    scenery.groundShadow.update(scenery.terrain.heights(), io::towardSun(environment));
     if (!in.freezeCulling) frozen.reset();
-    const Viewpoint viewpoint = look(in);
+    const Viewpoint viewpoint = look(in, environment);
     canvas.resize("picture", viewpoint.eye.size);
     scenery.world.select(in.selection);
     const std::uint64_t uploaded = scenery.world.uploadedBytes();
@@ -69,9 +70,8 @@ Picture Renderer::State::render(const FrameInput& in)
     return {.texture = canvas.texture.id(), .size = canvas.texture.size()};
 }
 
-Viewpoint Renderer::State::look(const FrameInput& in) const
+Viewpoint Renderer::State::look(const FrameInput& in, io::Environment environment) const
 {
-    io::Environment environment = scenery.environment;
     environment.shadows = capped(environment.shadows, in.settings);
     Viewpoint v;
     v.time = in.time;

@@ -41,6 +41,7 @@ struct FrameInput {
     Settings settings;
     Show show = Show::Final;
     double time = 0;            // s, moves clouds
+    std::optional<io::Environment> environment; // in place of the scene's
     std::span<const io::ObjectId> selection; // tinted violet and outlined
     std::span<const Ghost> ghosts;
     std::span<const Line> lines;

@@ -21,7 +21,7 @@ struct Renderer::State {
     explicit State(const Options& options);
 
     Picture render(const FrameInput& in);
-    Viewpoint look(const FrameInput& in) const;
+    Viewpoint look(const FrameInput& in, io::Environment environment) const;
     Occlusion occlusionOf(const Settings& settings) const;
     std::vector<Line> linesOf(const FrameInput& in, const Viewpoint& viewpoint) const;
     GeometryPass::Drawn drawSurfaces(GpuFrame& gpu, const FrameInput& in, const Viewpoint& viewpoint);

@@ -3,6 +3,7 @@
 #include "editor/text.h"
 #include "io/files/atomic_file.h"
 #include "io/files/json.h"
+#include "io/scene/environment_presets.h"
 #include "renderer/renderer.h"
 #include "tests/ui/support/rig.h"
 
@@ -125,6 +126,8 @@ Keys computedKeys()
         keys.insert("action." + std::string{action.id});
     for (const editor::Panel* panel : rig.editor->workspace().panels())
         keys.insert("panel." + std::string{panel->id()});
+    for (const std::string_view name : enumNames(io::Preset{}))
+        keys.insert("look." + std::string{name});
     for (const char* starter : {"valley", "empty"})
         keys.insert("starter." + std::string{starter});
     for (const char* entry :

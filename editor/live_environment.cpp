@@ -1,0 +1,92 @@
+#include "editor/live_environment.h"
+
+#include "editor/commands.h"
+#include "editor/text.h"
+#include "io/scene/environment_mix.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace editor {
+namespace {
+
+constexpr double kSecondsAnHour = 3600, kHoursADay = 24;
+
+int daysIn(int year)
+{
+    return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0 ? 366 : 365;
+}
+
+// Where sun and moon stand, whoever says so: between an hour and a place by hand there is no other way.
+io::Environment placedByHand(io::Environment environment)
+{
+    const glm::dvec3 sun = io::towardSun(environment);
+    environment.sun.mode = io::SunMode::Manual;
+    environment.sun.elevation = float(glm::degrees(std::asin(glm::clamp(sun.y, -1.0, 1.0))));
+    environment.sun.azimuth = float(glm::degrees(std::atan2(sun.x, -sun.z)));
+    return environment;
+}
+
+} // namespace
+
+void LiveEnvironment::runDay(Document& document, bool on)
+{
+    if (on == m_dayRuns) return;
+    const io::Environment own = document.scene().environment();
+    if (!on && m_hours > 0) setEnvironment(document, tr("undo.day"), withHours(own));
+    m_dayRuns = on;
+    m_hours = 0;
+    m_since = own.time;
+}
+
+void LiveEnvironment::turnInto(Document& document, io::Environment look, double seconds, std::string undoName)
+{
+    if (const auto now = shown(document.scene().environment()); now && m_turning) // from where it has come to
+        setEnvironment(document, m_turning->undoName, *now);
+    m_turning.reset();
+    if (seconds <= 0) return setEnvironment(document, std::move(undoName), std::move(look));
+    m_turning = Turning{.look = std::move(look), .seconds = seconds, .undoName = std::move(undoName)};
+}
+
+void LiveEnvironment::pass(Document& document, double seconds)
+{
+    const io::Environment& own = document.scene().environment();
+    if (m_dayRuns) {
+        if (own.time != m_since) m_hours = 0;
+        m_since = own.time;
+        m_hours += seconds * double(own.daySpeed) / kSecondsAnHour;
+    }
+    if (!m_turning) return;
+    m_turning->passed += seconds;
+    if (m_turning->passed < m_turning->seconds) return;
+    Turning done = *std::exchange(m_turning, std::nullopt);
+    setEnvironment(document, std::move(done.undoName), std::move(done.look));
+}
+
+std::optional<io::Environment> LiveEnvironment::shown(const io::Environment& own) const
+{
+    if (!moves()) return std::nullopt;
+    io::Environment now = own;
+    if (m_turning) {
+        const double share = std::min(m_turning->passed / m_turning->seconds, 1.0);
+        const bool alike = own.sun.mode == m_turning->look.sun.mode;
+        now = alike ? io::mixed(own, m_turning->look, share) : io::mixed(placedByHand(own), placedByHand(m_turning->look), share);
+    }
+    return m_dayRuns ? withHours(std::move(now)) : now;
+}
+
+io::Environment LiveEnvironment::withHours(io::Environment environment) const
+{
+    const double hours = double(environment.time) + m_hours;
+    const double days = std::floor(hours / kHoursADay);
+    environment.time = float(hours - days * kHoursADay);
+    environment.dayOfYear += int(days);
+    while (environment.dayOfYear > daysIn(environment.year)) {
+        environment.dayOfYear -= daysIn(environment.year);
+        ++environment.year;
+    }
+    return environment;
+}
+
+} // namespace editor
