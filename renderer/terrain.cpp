@@ -21,6 +21,7 @@ constexpr double kSmallestSegment = 1.25; // the same
 // Mesa's software tessellation takes a time that grows with the square of what one draw makes.
 constexpr std::uint32_t kPatchesAtOnce = 64;
 constexpr std::size_t kFewPlaces = 64;
+constexpr double kClose = 5 * kNear; // m, to ground of up to 75 degrees
 
 struct DrawElements { // as glMultiDrawElementsIndirect() reads them
     std::uint32_t count = 0, instances = 1, first = 0;
@@ -244,11 +245,11 @@ GroundHorizon::Box Terrain::boxOf(const GroundNode& node) const
     return {.from = glm::dvec2{node.origin} * m_map->metresPerTexel, .to = glm::dvec2{last} * m_map->metresPerTexel, .low = node.low, .high = node.high};
 }
 
-// From beneath or beside it one looks through its back.
+// From beneath or beside it one looks through its back, and so does who is so close that the near plane cuts it.
 bool Terrain::eyeAboveGround() const
 {
     const std::optional<double> height = m_map->height(m_levelsFrom.x + m_map->origin.x, m_levelsFrom.z + m_map->origin.y);
-    return height && m_levelsFrom.y > *height;
+    return height && m_levelsFrom.y > *height + kClose;
 }
 
 std::vector<ChosenNode> Terrain::chosenBeforeOthers(const Volume& volume) const

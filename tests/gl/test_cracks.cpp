@@ -191,8 +191,12 @@ TEST_P(DrawnGround, MissesNothingThatIsSeen)
         canvas().load(map);
         for (int look = 0; look < 40; ++look) {
             const glm::dvec2 at = glm::dvec2{random.unit() - 0.5, random.unit() - 0.5} * (glm::dvec2{map->size - 2} * map->metresPerTexel);
-            renderer::Eye eye = walker(*map, at, 0.05 + 300 * std::pow(double(random.unit()), 6), random.unit() * 360);
-            if (look % 10 == 9) eye.position.y -= 40; // beneath the ground one looks through its back
+            renderer::Eye eye = walker(*map, at, 0, random.unit() * 360);
+            const glm::ivec2 texel{(at - map->origin) / map->metresPerTexel};
+            for (int corner = 0; corner < 4; ++corner) // whatever is within reach of the near plane is not seen
+                eye.position.y = std::max(eye.position.y, double(map->at(texel.x + (corner & 1), texel.y + (corner >> 1))));
+            eye.position.y += 0.6 + 300 * std::pow(double(random.unit()), 6);
+            if (look % 10 == 9) eye.position.y -= 400; // from beneath one looks through its back
             canvas().errorPixels = std::exp2(look % 4);
             std::vector<glm::vec4> everything, seen;
             canvas().culled = false;

@@ -1,4 +1,5 @@
 // The ground has no holes, and near the eye it is the height map itself.
+#include "renderer/ground_horizon.h"
 #include "renderer/ground_shadow.h"
 #include "renderer/terrain_choice.h"
 #include "tests/gl/support/shared_renderer.h"
@@ -357,6 +358,24 @@ TEST(TerrainTree, FollowsAPart)
                 EXPECT_EQ(followed.nodeAt(level, {x, z}).high, fresh.nodeAt(level, {x, z}).high) << level;
             }
     EXPECT_EQ(followed.coarsestWithin(0.5), fresh.coarsestWithin(0.5));
+}
+
+// A wall of 10 m in the north, seen from 2 m.
+TEST(GroundHorizon, HidesWhatStandsBehindAndLowerOnly)
+{
+    renderer::GroundHorizon horizon{{0, 2, 0}};
+    const auto hides = [&](glm::dvec2 from, glm::dvec2 to, double high) { return horizon.hides({.from = from, .to = to, .low = -100, .high = high}); };
+    EXPECT_FALSE(hides({-5, -80}, {5, -60}, 3));
+    horizon.add({.from = {-40, -30}, .to = {40, -20}, .low = 10, .high = 12});
+    EXPECT_TRUE(hides({-5, -80}, {5, -60}, 3));
+    EXPECT_TRUE(hides({-5, -80}, {5, -60}, 17)) << "over the wall's far side one sees 18 m there";
+    EXPECT_FALSE(hides({-5, -80}, {5, -60}, 19));
+    EXPECT_FALSE(hides({60, -80}, {160, -60}, 3)) << "beside it";
+    EXPECT_FALSE(hides({-5, 60}, {5, 80}, 3)) << "behind the eye";
+    EXPECT_FALSE(hides({-5, -5}, {5, 5}, 3)) << "where the eye is";
+    renderer::GroundHorizon above{{0, 200, 0}}; // looks down on it
+    above.add({.from = {-40, -30}, .to = {40, -20}, .low = 10, .high = 12});
+    EXPECT_FALSE(above.hides({.from = {-5, -80}, .to = {5, -60}, .low = -100, .high = 3}));
 }
 
 } // namespace
