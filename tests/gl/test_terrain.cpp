@@ -368,7 +368,7 @@ TEST(GroundHorizon, HidesWhatStandsBehindAndLowerOnly)
     EXPECT_FALSE(hides({-5, -80}, {5, -60}, 3));
     horizon.add({.from = {-40, -30}, .to = {40, -20}, .low = 10, .high = 12});
     EXPECT_TRUE(hides({-5, -80}, {5, -60}, 3));
-    EXPECT_TRUE(hides({-5, -80}, {5, -60}, 17)) << "over the wall's far side one sees 18 m there";
+    EXPECT_TRUE(hides({-5, -80}, {5, -60}, 11)) << "over the far corner of the wall one sees 11.6 m there";
     EXPECT_FALSE(hides({-5, -80}, {5, -60}, 19));
     EXPECT_FALSE(hides({60, -80}, {160, -60}, 3)) << "beside it";
     EXPECT_FALSE(hides({-5, 60}, {5, 80}, 3)) << "behind the eye";
