@@ -4,6 +4,7 @@
 #include "io/files/atomic_file.h"
 #include "io/files/image_file.h"
 #include "io/files/json.h"
+#include "io/scene/environment_presets.h"
 #include "tests/golden/compare.h"
 #include "tests/golden/valley.h"
 
@@ -22,6 +23,7 @@ const fs::path kOut = WOLD_GOLDEN_OUT;
 struct Golden {
     std::string name, camera;
     renderer::Show show = renderer::Show::Final;
+    std::string look; // of the day; empty: the world's own
     double mean = 1, outliers = 0.005; // tolerances; drivers round differently at edges
 };
 
@@ -49,14 +51,21 @@ std::vector<Golden> readList()
         const auto show = std::find(names.begin(), names.end(), textOr(entry, "show", "final"));
         EXPECTS(show != names.end());
         result.push_back({textOr(entry, "name", ""), textOr(entry, "camera", ""), renderer::Show(show - names.begin()),
-                          numberOr(entry, "mean", 1), numberOr(entry, "outliers", 0.005)});
+                          textOr(entry, "look", ""), numberOr(entry, "mean", 1), numberOr(entry, "outliers", 0.005)});
     }
     return result;
 }
 
 io::Image draw(const Golden& golden)
 {
-    valley().renderer().render({.camera = valley().camera(golden.camera), .size = {480, 270}, .show = golden.show});
+    renderer::FrameInput in{.camera = valley().camera(golden.camera), .size = {480, 270}, .show = golden.show};
+    if (!golden.look.empty()) {
+        const auto looks = enumNames(io::Preset{});
+        const auto look = std::ranges::find(looks, golden.look);
+        EXPECTS(look != looks.end());
+        in.environment = io::withPreset(valley().document->scene().environment(), io::Preset(look - looks.begin()));
+    }
+    valley().renderer().render(in);
     return valley().renderer().readPicture();
 }
 

@@ -1,0 +1,217 @@
+// Every widget of the Environment panel, dragged or clicked as a person does it: the picture changes with it, and so does the file.
+#include "io/files/image_file.h"
+#include "io/scene/fields.h"
+#include "tests/cli/wold.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+namespace test {
+namespace {
+
+struct Field {
+    std::string key, label;
+    std::size_t among = 0; // of the fields with this label
+};
+
+struct FieldList {
+    const io::Value& texts;
+    std::string path;
+    std::vector<Field>& all;
+
+    template <class T> void operator()(const char* key, T& value, const io::Hint&)
+    {
+        if constexpr (requires(FieldList inner) { fields(inner, value); }) {
+            FieldList inner{texts, path + key + ".", all};
+            fields(inner, value);
+        } else {
+            Field field{path + key, text(texts, path + key)};
+            field.among = std::size_t(std::ranges::count(all, field.label, &Field::label));
+            all.push_back(field);
+        }
+    }
+};
+
+std::vector<Field> environmentFields()
+{
+    const io::Value english = json(textOf(WOLD_SOURCE_DIR "/app/lang/en.json"));
+    std::vector<Field> all;
+    io::Environment environment;
+    FieldList list{*english.find("field"), "", all};
+    fields(list, environment);
+    return all;
+}
+
+// What must be so for a field to show: values of the environment, and of drawing.
+struct Stage {
+    std::vector<std::string> sets;
+    std::vector<std::string_view> keys; // whole keys, or sections that end in a dot
+};
+const std::array<Stage, 8>& stages()
+{
+    static const std::array<Stage, 8> all{{
+        {{"environment.sun.mode=manual"}, {"sun.azimuth", "sun.elevation"}},
+        {{"environment.time=23.5", "environment.moon.mode=manual", "environment.exposure=9", "environment.clouds.coverage=0.1"}, {"moon.", "sky.stars"}},
+        {{"environment.clock=zone", "environment.time_zone=1", "environment.longitude=15"}, {"clock", "time_zone", "longitude", "year"}},
+        {{"environment.shadows.splits=manual", "environment.shadows.cascades=6", "environment.shadows.end_1=4", "environment.shadows.end_2=8", "environment.shadows.end_3=14",
+          "environment.shadows.end_4=20", "environment.shadows.end_5=26", "environment.shadows.distance=40"},
+         {"shadows.splits", "shadows.end_"}},
+        {{"environment.auto_exposure.on=on"}, {"auto_exposure."}},
+        {{"environment.water.on=on", "environment.water.level=6", "environment.water.waves=0.5"}, {"water."}},
+        {{"render.cloud_kind=volume", "environment.clouds.coverage=0.6"}, {"clouds.thickness", "clouds.density"}},
+        {{}, {""}},
+    }};
+    return all;
+}
+
+const Stage& stageOf(const Field& field)
+{
+    return *std::ranges::find_if(stages(), [&](const Stage& stage) {
+        return std::ranges::any_of(stage.keys, [&](std::string_view key) { return field.key.starts_with(key); });
+    });
+}
+
+// These say how something goes on, not what a picture shows.
+bool showsOnlyInTime(const Field& field)
+{
+    return field.key == "day_speed" || field.key == "auto_exposure.seconds";
+}
+
+struct Widget {
+    std::string kind;
+    std::array<int, 4> rect{}; // pixels: x, y, width, height
+    std::string place() const { return fmt::format("[{}, {}]", rect[0] + rect[2] / 3, rect[1] + rect[3] / 2); }
+};
+
+std::vector<Widget> widgetsOf(const io::Value& map, const std::string& label)
+{
+    std::vector<Widget> found;
+    for (const io::Value& item : *map.asArray()) {
+        const std::string own = text(item, "label"), kind = text(item, "kind");
+        const bool edits = kind == "number" || kind == "combo" || kind == "checkbox" || kind == "colour";
+        if (text(item, "panel") != "environment" || !edits || (own != label && own != label + " X")) continue;
+        Widget widget{.kind = kind};
+        for (std::size_t i = 0; i < 4; ++i)
+            widget.rect[i] = int(*(*item.find("rect")->asArray())[i].asNumber());
+        found.push_back(widget);
+    }
+    return found;
+}
+
+std::array<int, 4> viewportOf(const io::Value& map)
+{
+    std::array<int, 4> rect{};
+    for (const io::Value& item : *map.asArray())
+        if (text(item, "kind") == "viewport")
+            for (std::size_t i = 0; i < 4; ++i)
+                rect[i] = int(*(*item.find("rect")->asArray())[i].asNumber());
+    return rect;
+}
+
+// Pixels of the viewport that differ.
+int changedPixels(const std::string& before, const std::string& after, const std::array<int, 4>& viewport)
+{
+    const auto a = io::readImage(before), b = io::readImage(after);
+    if (!a || !b || a->size != b->size || a->channels != b->channels) return -1;
+    int changed = 0;
+    for (int y = viewport[1]; y < viewport[1] + viewport[3]; ++y) {
+        const auto *left = a->row<std::uint8_t>(y), *right = b->row<std::uint8_t>(y);
+        for (int x = viewport[0]; x < viewport[0] + viewport[2]; ++x) {
+            const int texel = x * a->channels;
+            changed += !std::equal(left + texel, left + texel + 3, right + texel);
+        }
+    }
+    return changed;
+}
+
+struct Light : SmallWorld {
+    std::string base{R"({"do":"set","key":"environment.time","value":8}
+{"do":"set","key":"environment.fog.density","value":0.002}
+{"do":"set","key":"environment.fog.height","value":40}
+{"do":"set","key":"environment.clouds.coverage","value":0.45}
+{"do":"set","key":"environment.weather.rain","value":3}
+{"do":"set","key":"environment.sky.aerial","value":30}
+)"};
+    std::vector<std::string> words(const Stage& stage, const std::string& events)
+    {
+        std::vector<std::string> all{"edit", project, "--replay", folder.write("events.jsonl", events), "--size", "1000x600", "--quality", "medium", "--quiet"};
+        for (const std::string& set : stage.sets) {
+            all.emplace_back("--set");
+            all.push_back(set);
+        }
+        return all;
+    }
+    static std::string search(const std::string& label)
+    {
+        return "{\"click\": {\"panel\": \"environment\", \"label\": \"Search settings\"}}\n{\"key\": \"Ctrl+A\"}\n{\"text\": \"" + label + "\"}\n{\"wait\": 2}\n";
+    }
+    static std::string use(const Widget& widget)
+    {
+        if (widget.kind == "number" || widget.kind == "colour")
+            return fmt::format("{{\"drag\": {{\"from\": {0}, \"to\": [{1}, {2}], \"steps\": 2}}}}\n{{\"wait\": 1}}\n", widget.place(), widget.rect[0] + widget.rect[2] / 3 + 60,
+                               widget.rect[1] + widget.rect[3] / 2);
+        const std::string other = widget.kind == "combo" ? "{\"wait\": 1}\n{\"key\": \"Down\"}\n{\"key\": \"Enter\"}\n" : "";
+        return "{\"click\": " + widget.place() + "}\n" + other + "{\"wait\": 2}\n";
+    }
+    io::Value saved() const { return json(textOf(project + "/environments/day.json")); }
+};
+
+const io::Value* valueAt(const io::Value& environment, std::string_view key)
+{
+    const std::size_t dot = key.find('.');
+    const io::Value* value = environment.find(key.substr(0, dot));
+    return value && dot != key.npos ? valueAt(*value, key.substr(dot + 1)) : value;
+}
+
+TEST_F(Light, EachWidgetOfTheEnvironmentChangesPictureAndFile)
+{
+    ASSERT_EQ(wold({"run", project, "-", "--quiet"}, base + "{\"do\":\"save\"}\n").code, 0);
+    const std::vector<Field> all = environmentFields();
+    ASSERT_GT(all.size(), 60u);
+    for (const Stage& stage : stages()) {
+        std::vector<Field> own;
+        std::ranges::copy_if(all, std::back_inserter(own), [&](const Field& field) { return &stageOf(field) == &stage; });
+        const std::string settled = "{\"wait\": 3}\n{\"click\": {\"panel\": \"dock\", \"label\": \"Environment\"}}\n{\"wait\": 2}\n";
+        std::set<std::string> labels;
+        std::string events = settled;
+        for (const Field& field : own)
+            if (labels.insert(field.label).second) events += search(field.label) + "{\"uimap\": \"" + folder / (field.key + ".json") + "\"}\n";
+        Ran ran = wold(words(stage, events));
+        ASSERT_EQ(ran.code, 0) << ran.err;
+
+        std::map<std::string, io::Value> maps;
+        std::string looked = settled, kept = settled;
+        std::string last;
+        for (const Field& field : own) {
+            if (const std::string map = folder / (field.key + ".json"); std::filesystem::exists(map)) maps[field.label] = json(textOf(map));
+            const std::vector<Widget> widgets = widgetsOf(maps[field.label], field.label);
+            ASSERT_GT(widgets.size(), field.among) << field.key;
+            const std::string way = (field.label == last ? "" : search(field.label)), used = use(widgets[field.among]);
+            last = field.label;
+            looked += way + "{\"shot\": \"" + folder / (field.key + "-0.png") + "\"}\n" + used + "{\"shot\": \"" + folder / (field.key + "-1.png") + "\"}\n{\"key\": \"Ctrl+Z\"}\n{\"wait\": 1}\n";
+            kept += way + used;
+        }
+        ran = wold(words(stage, looked));
+        ASSERT_EQ(ran.code, 0) << ran.err;
+        for (const Field& field : own) {
+            if (showsOnlyInTime(field)) continue;
+            EXPECT_GT(changedPixels(folder / (field.key + "-0.png"), folder / (field.key + "-1.png"), viewportOf(maps[field.label])), 20) << field.key;
+        }
+        const std::string before = textOf(project + "/environments/day.json");
+        ran = wold(words(stage, kept + "{\"key\": \"Ctrl+S\"}\n{\"wait\": 3}\n"));
+        ASSERT_EQ(ran.code, 0) << ran.err;
+        const io::Value now = saved(), then = json(before);
+        for (const Field& field : own) {
+            const io::Value *a = valueAt(now, field.key), *b = valueAt(then, field.key);
+            ASSERT_TRUE(a && b) << field.key;
+            EXPECT_FALSE(*a == *b) << field.key;
+        }
+        folder.write("world/environments/day.json", before);
+    }
+}
+
+} // namespace
+} // namespace test
