@@ -6,8 +6,33 @@
 #include "editor/search_text.h"
 #include "editor/text.h"
 #include "editor/widgets.h"
+#include "io/scene/shadow_ends.h"
 
 namespace editor {
+namespace {
+
+// Whether a field of the shadows has anything to say beside the others.
+bool counts(const io::Shadows& shadows, std::string_view key)
+{
+    constexpr std::string_view kEnd = "end_";
+    const bool byHand = shadows.splits == io::Splits::Manual;
+    if (key == "lambda") return !byHand && shadows.cascades > 1;
+    if (key == "splits" || key == "blend") return shadows.cascades > 1;
+    if (key.starts_with(kEnd)) return byHand && key[kEnd.size()] - '0' < shadows.cascades;
+    return true;
+}
+
+// An end that is dragged takes its neighbours along; those that begin to count find a place between the others.
+void keepInOrder(io::Shadows& shadows, std::string_view changedKey)
+{
+    constexpr std::string_view kShadows = "shadows.";
+    if (!changedKey.starts_with(kShadows)) return;
+    const std::string_view key = changedKey.substr(kShadows.size());
+    if (key == "distance" || key.starts_with("end_")) io::pushEnds(shadows, key);
+    else io::spreadEnds(shadows);
+}
+
+} // namespace
 
 void EnvironmentPanel::draw(Editor& editor)
 {
@@ -21,7 +46,8 @@ void EnvironmentPanel::draw(Editor& editor)
     ui::searchField("##search", tr("environment.search"), m_search);
     ImGui::Dummy({0, 2});
     FieldUiOptions options{.defaults = scalarsOf(io::Environment{}), .filter = lowerCase(m_search)};
-    options.enabled = [byHand](std::string_view key) {
+    options.enabled = [byHand, shadows = shown.shadows](std::string_view key) {
+        if (key.starts_with("shadows.")) return counts(shadows, key.substr(std::string_view{"shadows."}.size()));
         return byHand || (key != "sun.azimuth" && key != "sun.elevation");
     };
     options.before = [&](std::string_view section) {
@@ -34,6 +60,7 @@ void EnvironmentPanel::draw(Editor& editor)
         editor.beginEdit("environment.sun", tr("undo.sun"));
         setEnvironment(document, tr("undo.sun"), std::move(shown));
     } else if (!ui.changes().empty()) {
+        keepInOrder(shown.shadows, ui.changedKey());
         editor.beginEdit("environment." + ui.changedKey(), trf("undo.edit", ui.changedLabel()));
         setEnvironment(document, ui.changedLabel(), std::move(shown));
     }
