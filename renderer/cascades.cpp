@@ -76,7 +76,7 @@ glm::dmat3 lightAxes(const glm::dvec3& towardSun)
 std::vector<double> cascadeEnds(const io::Shadows& shadows)
 {
     const int count = std::clamp(shadows.cascades, 1, MAX_CASCADES);
-    const double last = std::max(double(shadows.distance), kFirstDistance * 2);
+    const double last = shadows.distance > kFirstDistance * 2 ? double(shadows.distance) : kFirstDistance * 2;
     const float byHand[] = {shadows.end1, shadows.end2, shadows.end3, shadows.end4, shadows.end5};
     std::vector<double> ends;
     for (int i = 1; i < count; ++i) {

@@ -1,7 +1,5 @@
 #include "tests/gl/support/shadow_probe.h"
 
-#include "renderer/shadow_constants.h"
-
 #include <array>
 #include <string_view>
 

@@ -3,6 +3,7 @@
 
 #include "renderer/cascades.h"
 #include "renderer/shader_library.h"
+#include "renderer/shadow_constants.h"
 #include "tests/gl/support/shared_renderer.h"
 
 #include <span>
