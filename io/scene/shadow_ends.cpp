@@ -48,9 +48,11 @@ void pushEnds(Shadows& shadows, std::string_view kept)
     std::size_t fixed = ends.size() - 1;
     for (std::size_t i = 0; i < ends.size(); ++i)
         if (keyOf(i, ends.size()) == kept) fixed = i;
-    // There must be room for those before and after it.
-    *ends[fixed] = std::clamp(*ends[fixed], kLeast * float(fixed + 1), kFarthest - kLeast * float(ends.size() - 1 - fixed));
-    for (std::size_t i = fixed + 1; i < ends.size(); ++i)
+    // There must be room for those before it, and for those after it up to the distance, which no end pushes.
+    const std::size_t after = ends.size() - 1 - fixed;
+    const float most = after == 0 ? kFarthest : *ends.back() - kLeast * float(after);
+    *ends[fixed] = std::clamp(*ends[fixed], kLeast * float(fixed + 1), std::max(most, kLeast * float(fixed + 1)));
+    for (std::size_t i = fixed + 1; i + 1 < ends.size(); ++i)
         *ends[i] = std::max(*ends[i], *ends[i - 1] + kLeast);
     for (std::size_t i = fixed; i-- > 0;)
         *ends[i] = std::clamp(*ends[i], kLeast * float(i + 1), *ends[i + 1] - kLeast);

@@ -37,6 +37,9 @@ TEST(ShadowEnds, OneThatIsDraggedPushesTheOthers)
     shadows.end1 = 200;
     pushEnds(shadows, "end_1");
     EXPECT_EQ(shadows, byHand(4, {200, 201, 202, 9, 9}, 350));
+    shadows.end1 = 4000;
+    pushEnds(shadows, "end_1");
+    EXPECT_EQ(shadows, byHand(4, {347, 348, 349, 9, 9}, 350)) << "the distance stays";
     shadows.end3 = 1;
     pushEnds(shadows, "end_3");
     EXPECT_EQ(shadows, byHand(4, {1, 2, 3, 9, 9}, 350));
