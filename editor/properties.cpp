@@ -2,6 +2,7 @@
 
 #include "io/files/json.h"
 #include "io/scene/field_value.h"
+#include "io/scene/shadow_ends.h"
 
 #include <algorithm>
 #include <charconv>
@@ -145,6 +146,9 @@ io::Status setAny(Document& document, std::string_view key, const io::Value& val
     if (kind == "environment") {
         io::Environment changed = document.scene().environment();
         if (const io::Status set = io::setField(changed, rest, value); !set) return set;
+        if (rest.starts_with("shadows."))
+            if (const std::optional<io::EndFault> fault = io::endFault(changed.shadows))
+                return io::Error{{}, "shadows." + fault->key + ": " + fault->what};
         setEnvironment(document, name, std::move(changed));
         return {};
     }

@@ -1,7 +1,10 @@
 #include "renderer/debug_lines.h"
 
+#include "renderer/shaders/shared/shadows.h"
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 
 namespace renderer {
@@ -62,6 +65,13 @@ glm::vec3 colourOf(int depth) // as the levels of detail have them
     return 0.5f + 0.5f * glm::cos(6.2831853f * (float(depth) * 0.17f + glm::vec3{0.3f, 0.63f, 0.97f}));
 }
 
+// Faint where something stands before it.
+void addSeenThrough(std::vector<Line>& lines, const glm::dvec3& from, const glm::dvec3& to, const glm::vec4& colour)
+{
+    lines.push_back({.from = from, .to = to, .colour = colour});
+    lines.push_back({.from = from, .to = to, .colour = {glm::vec3{colour}, colour.a * kBehind}, .onTop = true});
+}
+
 void addRing(std::vector<Line>& lines, const io::WorldBox& box, const glm::vec4& colour)
 {
     const double y = box.centre().y;
@@ -85,10 +95,7 @@ void addBox(std::vector<Line>& lines, const io::WorldBox& box, const glm::vec4& 
 void addFrustum(std::vector<Line>& lines, const Eye& eye, const io::WorldBox& world)
 {
     const double reach = reachOf(eye, world);
-    const auto add = [&](const glm::dvec3& from, const glm::dvec3& to) {
-        lines.push_back({.from = from, .to = to, .colour = kFrustum});
-        lines.push_back({.from = from, .to = to, .colour = {glm::vec3{kFrustum}, kFrustum.a * kBehind}, .onTop = true});
-    };
+    const auto add = [&](const glm::dvec3& from, const glm::dvec3& to) { addSeenThrough(lines, from, to, kFrustum); };
     const auto frame = [&](double distance) {
         const Corners corners = cornersAt(eye, distance);
         for (std::size_t i = 0; i < corners.size(); ++i)
@@ -117,6 +124,25 @@ void addNodes(std::vector<Line>& lines, std::span<const InstanceTree* const> tre
         const glm::vec4 colour{colourOf(node.depth), (node.leaf ? 0.9f : 0.4f) * (reached ? 1 : kUnreached)};
         addBox(lines, node.box, colour);
         if (node.splitsInHeight) addRing(lines, node.box, colour);
+    }
+}
+
+void addCascades(std::vector<Line>& lines, std::span<const Cascade> cascades, const Eye& eye, const glm::dvec3& towardSun, bool strong)
+{
+    const glm::dmat3 worldFromLight = glm::transpose(lightAxes(towardSun));
+    for (std::size_t i = 0; i < cascades.size(); ++i) {
+        const Cascade& c = cascades[i];
+        const glm::vec4 colour{glsl::cascadeTint(int(i)), strong ? 0.95f : kUnreached};
+        const glm::dvec3 low{glm::dvec2{c.low} * c.texel, c.bottom};
+        const glm::dvec3 high{glm::dvec2{c.window().high} * c.texel, c.bottom + c.depthRange - c.contactReach};
+        const auto corner = [&](int of) { return worldFromLight * glm::dvec3{of & 1 ? high.x : low.x, of & 2 ? high.y : low.y, of & 4 ? high.z : low.z}; };
+        for (int of = 0; of < 8; ++of)
+            for (const int bit : {1, 2, 4})
+                if (!(of & bit)) addSeenThrough(lines, corner(of), corner(of | bit), colour);
+        const double slope = std::hypot(1.0, eye.tanHalfFov, eye.tanHalfFov * eye.aspect);
+        const Corners slice = cornersAt(eye, c.end / slope); // corners lie at the distance at which the slice ends
+        for (std::size_t k = 0; k < slice.size(); ++k)
+            addSeenThrough(lines, slice[k], slice[(k + 1) % slice.size()], colour);
     }
 }
 

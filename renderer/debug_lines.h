@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/scene/bounds.h"
+#include "renderer/cascades.h"
 #include "renderer/cull.h"
 
 #include <optional>
@@ -19,5 +20,9 @@ void addFrustum(std::vector<Line>& lines, const Eye& eye, const io::WorldBox& wo
 // around those that split in height. Faint where `culledTo`, if there is one, does not reach.
 void addNodes(std::vector<Line>& lines, std::span<const InstanceTree* const> trees, const Eye& eye,
               const std::optional<Volume>& culledTo);
+
+// The boxes of what an eye's cascades hold, in the cascades' colours, and the ends of its slices. Faint where they are hidden,
+// and all of them faint unless `strong`.
+void addCascades(std::vector<Line>& lines, std::span<const Cascade> cascades, const Eye& eye, const glm::dvec3& towardSun, bool strong);
 
 } // namespace renderer

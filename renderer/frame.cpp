@@ -21,7 +21,8 @@ bool needsLight(Show show) // or only what surfaces are
     case Show::Depth:
     case Show::Position:
     case Show::Id:
-    case Show::Ao: return false;
+    case Show::Ao:
+    case Show::ShadowMaps: return false;
     default: return true;
     }
 }
@@ -45,6 +46,7 @@ Picture Renderer::State::render(const FrameInput& in)
     impostors.render(gpu, scenery.world.sharedModels(), scenery.world.impostors());
     gpu.constants(VIEW_BINDING, viewpoint.view);
     gpu.constants(LIGHT_BINDING, viewpoint.light);
+    gpu.constants(SHADOWS_BINDING, viewpoint.shadows);
 
     skyTables.update(gpu, viewpoint.light);
     scenery.terrain.aim(viewpoint.eye, viewpoint.culledFor, in.settings.lod ? in.settings.lodPixels : 1.0f);
@@ -81,14 +83,14 @@ Viewpoint Renderer::State::look(const FrameInput& in, io::Environment environmen
     v.towardSun = io::towardSun(environment);
     v.wind = windOf(environment.wind, in.settings.wind, v.eye.position, in.time);
     v.view = viewBlock(v.eye, v.eye.clipFromRelative, in.time, environment.exposure);
-    const bool sunUp = v.towardSun.y > -0.02;
-    if (in.settings.shadows && sunUp) v.cascades = cascadesOf(v.eye, environment.shadows, v.towardSun);
     v.light = lightOf({.environment = environment,
                        .settings = in.settings,
                        .eye = v.eye,
                        .time = in.time,
-                       .cascades = v.cascades,
                        .groundShadow = scenery.groundShadow.placement(v.eye.position)});
+    const bool sunUp = v.towardSun.y > -0.02;
+    if (in.settings.shadows && sunUp) v.cascades = cascadesOf(v.eye, environment.shadows, v.towardSun, v.light.sunRadius);
+    v.shadows = shadowConstants(environment.shadows, v.cascades);
     return v;
 }
 
@@ -154,6 +156,13 @@ std::vector<Line> Renderer::State::linesOf(const FrameInput& in, const Viewpoint
     if (in.show == Show::Nodes) {
         const std::vector<const InstanceTree*> trees = scenery.world.trees();
         addNodes(lines, trees, viewpoint.eye, viewpoint.frozen ? std::optional{volumeOf(viewpoint.culledFor)} : std::nullopt);
+    }
+    if (in.show == Show::ShadowBoxes) {
+        addCascades(lines, viewpoint.cascades, viewpoint.eye, viewpoint.towardSun, !viewpoint.frozen);
+        const Eye& frozenEye = viewpoint.culledFor;
+        const io::Shadows shadows = capped(scenery.environment.shadows, in.settings);
+        if (viewpoint.frozen && !viewpoint.cascades.empty())
+            addCascades(lines, cascadesOf(frozenEye, shadows, viewpoint.towardSun, viewpoint.light.sunRadius), frozenEye, viewpoint.towardSun, true);
     }
     return lines;
 }

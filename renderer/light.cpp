@@ -17,19 +17,6 @@ glm::vec3 nightSky(double sunHeight)
     return glm::vec3{0.0021f, 0.0034f, 0.0064f} * float(night);
 }
 
-void addShadows(glsl::Light& light, const io::Shadows& shadows, std::span<const Cascade> cascades)
-{
-    light.cascades = std::max(int(cascades.size()), 1);
-    light.shadowSoftness = shadows.softness;
-    light.shadowBias = shadows.bias;
-    light.shadowTexel = 1.0f / float(std::max(shadows.resolution, 1));
-    for (std::size_t i = 0; i < cascades.size(); ++i) {
-        light.shadowFromRelative[i] = glm::mat4{cascades[i].textureFromRelative};
-        light.cascadeEnd[int(i)] = float(cascades[i].endDepth);
-        light.cascadeTexel[int(i)] = float(cascades[i].texel);
-    }
-}
-
 void addFog(glsl::Light& light, const io::Fog& fog, bool on, double eyeHeight)
 {
     const double height = std::max(double(fog.height), 1.0);
@@ -112,7 +99,6 @@ glsl::Light lightOf(const LightInput& input)
     light.sunSolidAngle = float(4 * std::numbers::pi * std::pow(std::sin(radius / 2), 2));
     light.skyFloor = nightSky(towardSun.y);
     light.groundShadow = input.groundShadow;
-    addShadows(light, e.shadows, input.cascades);
     addFog(light, e.fog, input.settings.fog, eyeHeight);
     addClouds(light, e.clouds, input.settings.clouds, input.eye, input.time);
     return light;

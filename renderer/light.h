@@ -1,12 +1,10 @@
-// The frame's light as shaders read it: sun, atmosphere, shadows, fog and clouds of an environment.
+// The frame's light as shaders read it: sun, atmosphere, fog and clouds of an environment.
 #pragma once
 
 #include "io/scene/environment.h"
-#include "renderer/cascades.h"
+#include "renderer/eye.h"
 #include "renderer/settings.h"
 #include "renderer/shaders/shared/light.h"
-
-#include <span>
 
 namespace renderer {
 
@@ -20,7 +18,6 @@ struct LightInput {
     const Settings& settings;
     const Eye& eye;
     double time = 0; // s, moves clouds
-    std::span<const Cascade> cascades;
     glm::vec4 groundShadow{0}; // where its texture lies
 };
 glsl::Light lightOf(const LightInput& input);

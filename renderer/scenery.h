@@ -5,6 +5,7 @@
 #include "renderer/eye.h"
 #include "renderer/ground_shadow.h"
 #include "renderer/light.h"
+#include "renderer/shadow_constants.h"
 #include "renderer/terrain.h"
 #include "renderer/world.h"
 
@@ -29,6 +30,7 @@ struct Viewpoint {
     glsl::Wind wind;
     double time = 0; // s
     glsl::Light light;
+    glsl::Shadows shadows;
 };
 
 } // namespace renderer

@@ -31,7 +31,6 @@ glsl::Light studioLight()
     light.sunIrradiance = glm::vec3{2.1f, 2.05f, 1.95f};
     light.sunAbove = glm::vec3{1};
     light.fogHeight = 1;
-    light.cascades = 1;
     return light;
 }
 

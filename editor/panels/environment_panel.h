@@ -2,6 +2,7 @@
 #pragma once
 
 #include "editor/panel.h"
+#include "editor/panels/look_row.h"
 
 #include <string>
 
@@ -13,14 +14,8 @@ public:
     void draw(Editor& editor) override;
 
 private:
-    void looks(Editor& editor);      // a row: one to choose, over how many seconds, keep this one, run the day
-    void keepLook(Editor& editor);   // the popup that asks for its name
-    void choose(Editor& editor, const std::string& name);
-
+    LookRow m_looks;
     std::string m_search;
-    double m_seconds = 0; // over which a chosen look comes
-    std::string m_chosen; // look, as the row shows it
-    std::string m_name;   // to keep one under
 };
 
 } // namespace editor

@@ -1,8 +1,35 @@
 #include "io/files/documents.h"
 
 #include "io/files/headed_file.h"
+#include "io/scene/shadow_ends.h"
+
+#include <algorithm>
 
 namespace io {
+namespace {
+
+// The line of a key of a section; of the section where the key is not written, and is a default.
+std::string whereIs(const std::string& name, std::string_view text, std::string_view section, std::string_view key)
+{
+    const auto quoted = [](std::string_view word) { return '"' + std::string{word} + '"'; };
+    const std::size_t start = text.find(quoted(section));
+    if (start == text.npos) return name;
+    const std::size_t end = std::min(text.find('}', start), text.size());
+    const std::size_t found = text.substr(0, end).find(quoted(key), start);
+    const std::size_t at = found == text.npos ? start : found;
+    return name + ":" + std::to_string(1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n'));
+}
+
+// Ends of cascades that do not rise, which no single field can tell.
+void checkShadows(Shadows& shadows, const std::string& name, std::string_view text, Complaints& complaints)
+{
+    const std::optional<EndFault> fault = endFault(shadows);
+    if (!fault) return;
+    complaints.push_back({Severity::Error, whereIs(name, text, "shadows", fault->key), "shadows." + fault->key + ": " + fault->what});
+    spreadEnds(shadows);
+}
+
+} // namespace
 
 Result<ProjectBody> readProjectText(std::string text, const std::string& name, Complaints& complaints)
 {
@@ -10,7 +37,10 @@ Result<ProjectBody> readProjectText(std::string text, const std::string& name, C
 }
 Result<Environment> readEnvironmentText(std::string text, const std::string& name, Complaints& complaints)
 {
-    return readHeadedText<Environment>(std::move(text), name, "wold-environment", complaints);
+    const std::string kept = text;
+    Result<Environment> environment = readHeadedText<Environment>(std::move(text), name, "wold-environment", complaints);
+    if (environment) checkShadows(environment->shadows, name, kept, complaints);
+    return environment;
 }
 Result<Template> readTemplateText(std::string text, const std::string& name, Complaints& complaints)
 {

@@ -8,23 +8,20 @@ namespace {
 // The triangle lies at depth 0, the far end: nearer surfaces hold more, the bare sky holds 0.
 constexpr GLenum kWhereSurfacesAre = GL_LESS;
 constexpr GLenum kWhereSkyIs = GL_EQUAL;
-constexpr float kWideShadows = 1.25f; // softness from which nine taps are taken
 
 } // namespace
 
 std::vector<std::string> lightingDefines(const Viewpoint& viewpoint, const Settings& settings)
 {
-    std::vector<std::string> defines;
+    std::vector<std::string> defines = shadowDefines(viewpoint.shadows);
     if (settings.shading == Shading::BlinnPhong) defines.emplace_back("BLINN_PHONG");
-    if (!viewpoint.cascades.empty()) defines.emplace_back("SHADOWS");
-    if (viewpoint.light.shadowSoftness > kWideShadows) defines.emplace_back("WIDE_SHADOWS");
     if (viewpoint.light.cloudsOn > 0) defines.emplace_back("CLOUD_SHADOWS");
     return defines;
 }
 
 LightingPass::LightingPass(ShaderLibrary& shaders) : m_shaders{shaders}
 {
-    shaders.fullScreen("lighting", {"SHADOWS", "CLOUD_SHADOWS", "FOG"});
+    shaders.fullScreen("lighting", {"SHADOWS", "SHADOW_TAPS 2", "CLOUD_SHADOWS", "FOG"});
 }
 
 void LightingPass::resize(const GBuffer& surfaces)

@@ -91,8 +91,8 @@ void ShowPass::render(GpuFrame& gpu, PictureTarget& canvas, Show show, const Rad
     }
     const bool ofGround = show >= Show::Contours;
     const bool overBackdrop = show == Show::Wireframe || show == Show::Lod || show == Show::Nodes || ofGround;
-    std::vector<std::string> defines{"MODE " + std::to_string(overBackdrop ? int(Show::Wireframe) : int(show))};
-    if (!viewpoint.cascades.empty()) defines.emplace_back("SHADOWS");
+    std::vector<std::string> defines = shadowDefines(viewpoint.shadows);
+    defines.push_back("MODE " + std::to_string(overBackdrop ? int(Show::Wireframe) : int(show)));
     canvas.framebuffer.bind();
     surfaces.bind(gpu);
     gpu.fullScreen(m_shaders.fullScreen("show", std::move(defines)), {}, {{IMAGE_UNIT, &radiance.texture}});

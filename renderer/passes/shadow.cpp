@@ -46,6 +46,17 @@ bool mayBeSeen(const Scenery& scenery, const Viewpoint& viewpoint, const CullReq
     return glsl::windReach(glsl::windMost(viewpoint.wind), scenery.world.mostSway()) > request.swayLength;
 }
 
+gl::Handle<DeleteSampler> samplerOfNumbers()
+{
+    GLuint id = 0;
+    glCreateSamplers(1, &id);
+    glSamplerParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    constexpr std::string_view kLabel = "shadow maps as numbers";
+    glObjectLabel(GL_SAMPLER, id, GLsizei(kLabel.size()), kLabel.data());
+    return gl::Handle<DeleteSampler>{id};
+}
+
 } // namespace
 
 ShadowPass::ShadowPass(ShaderLibrary& shaders)
@@ -57,7 +68,8 @@ ShadowPass::ShadowPass(ShaderLibrary& shaders)
                                       .stages = {"objects.vert.glsl", "empty.frag.glsl"},
                                       .defines = {"POSITION_ONLY", "WIND"}})},
       m_objects{makeObjectVertexArray()},
-      m_lit{{.label = "no shadow", .size = {1, 1}, .layers = 1, .format = GL_DEPTH_COMPONENT32F, .compare = true}}, m_shaders{shaders}
+      m_lit{{.label = "no shadow", .size = {1, 1}, .layers = 1, .format = GL_DEPTH_COMPONENT32F, .compare = true}},
+      m_asNumbers{samplerOfNumbers()}, m_shaders{shaders}
 {
     const float lit = 1;
     glClearTexImage(m_lit.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, &lit);
@@ -99,7 +111,8 @@ const gl::Texture& ShadowPass::render(GpuFrame& gpu, Scenery& scenery, const Vie
     scenery.terrain.forgetTouched();
     glDisable(GL_SCISSOR_TEST);
     gpu.constants(VIEW_BINDING, viewpoint.view);
-    gpu.bind({{SHADOW_UNIT, &m_maps}});
+    glBindSampler(SHADOW_DEPTH_UNIT, m_asNumbers.get()); // nothing else is bound there
+    gpu.bind({{SHADOW_UNIT, &m_maps}, {SHADOW_DEPTH_UNIT, &m_maps}});
     return m_maps;
 }
 
@@ -108,7 +121,8 @@ void ShadowPass::update(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpo
     const Cascade& cascade = viewpoint.cascades[index];
     Layer& layer = m_layers[index];
     Key key{.texel = cascade.texel,
-            .middle = cascade.middle,
+            .bottom = cascade.bottom,
+            .depthRange = cascade.depthRange,
             .towardSun = viewpoint.towardSun,
             .world = scenery.world.revision(),
             .terrain = scenery.terrain.revision(),

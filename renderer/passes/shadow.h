@@ -8,6 +8,10 @@
 
 namespace renderer {
 
+struct DeleteSampler {
+    void operator()(GLuint id) const { glDeleteSamplers(1, &id); }
+};
+
 class ShadowPass {
 public:
     explicit ShadowPass(ShaderLibrary& shaders);
@@ -17,7 +21,7 @@ public:
 
 private:
     struct Key { // of what all of a layer is drawn with
-        double texel = 0, middle = 0;
+        double texel = 0, bottom = 0, depthRange = 0;
         glm::dvec3 towardSun{0};
         std::uint64_t world = 0, terrain = 0;
         bool culling = false;
@@ -42,6 +46,7 @@ private:
     gl::VertexArray m_objects;
     gl::Texture m_maps;
     gl::Texture m_lit;
+    gl::Handle<DeleteSampler> m_asNumbers; // reads depths rather than comparing with them
     std::vector<Layer> m_layers;
     ShaderLibrary& m_shaders;
     std::vector<std::unique_ptr<ViewChooser>> m_choosers; // by piece of the frame, as each has buffers of its own

@@ -1,12 +1,11 @@
 // How a surface answers sun and sky.
 #include "light.glsl"
+#include "shadows.glsl"
 #include "sky_light.glsl"
 #include "shared/brdf.h"
 #include "shared/gbuffer.h"
 #include "view.glsl"
 
-layout(binding = SHADOW_UNIT) uniform sampler2DArrayShadow shadowMaps;
-layout(binding = GROUND_SHADOW_UNIT) uniform sampler2D groundShadow;
 layout(binding = CLOUD_MAP_UNIT) uniform sampler2D cloudMap;
 
 struct Surface {
@@ -18,89 +17,12 @@ struct Surface {
     uint bits;
 };
 
-// The cascade that covers a distance; in the last tenth of each, noise leads some pixels to the next.
-int cascadeAt(float viewDepth, float noise)
-{
-    int cascade = 0;
-    float begin = 0.0;
-    for (int i = 0; i < MAX_CASCADES - 1; ++i) {
-        float end = light.cascadeEnd[i];
-        float border = end - (end - begin) * 0.1 * noise;
-        cascade += i < light.cascades - 1 && viewDepth > border ? 1 : 0;
-        begin = end;
-    }
-    return cascade;
-}
-
-// Four bilinear taps that weigh 3 x 3 texels as a tent does (Castano, "Shadow Mapping Summary", 2013); softness
-// pulls them apart. Nine taps and 5 x 5 texels where it is large.
-float filteredShadow(vec3 place, int cascade)
-{
-    float size = 1.0 / light.shadowTexel;
-    vec2 at = place.xy * size;
-    vec2 base = floor(at + 0.5);
-    vec2 s = at + 0.5 - base;
-    base -= 0.5;
-    vec2 own = at - base;
-#ifdef WIDE_SHADOWS
-    vec3 wx = vec3(4.0 - 3.0 * s.x, 7.0, 1.0 + 3.0 * s.x);
-    vec3 wy = vec3(4.0 - 3.0 * s.y, 7.0, 1.0 + 3.0 * s.y);
-    vec3 ux = vec3((3.0 - 2.0 * s.x) / wx.x - 2.0, (3.0 + s.x) / wx.y, s.x / wx.z + 2.0);
-    vec3 uy = vec3((3.0 - 2.0 * s.y) / wy.x - 2.0, (3.0 + s.y) / wy.y, s.y / wy.z + 2.0);
-    float sum = 0.0;
-    for (int y = 0; y < 3; ++y)
-        for (int x = 0; x < 3; ++x) {
-            vec2 offset = (vec2(ux[x], uy[y]) - own) * (light.shadowSoftness * 0.6);
-            sum += wx[x] * wy[y] * texture(shadowMaps, vec4((at + offset) * light.shadowTexel, float(cascade), place.z));
-        }
-    return sum / 144.0;
-#else
-    vec2 wx = vec2(3.0 - 2.0 * s.x, 1.0 + 2.0 * s.x);
-    vec2 wy = vec2(3.0 - 2.0 * s.y, 1.0 + 2.0 * s.y);
-    vec2 ux = vec2((2.0 - s.x) / wx.x - 1.0, s.x / wx.y + 1.0);
-    vec2 uy = vec2((2.0 - s.y) / wy.x - 1.0, s.y / wy.y + 1.0);
-    float sum = 0.0;
-    for (int y = 0; y < 2; ++y)
-        for (int x = 0; x < 2; ++x) {
-            vec2 offset = (vec2(ux[x], uy[y]) - own) * light.shadowSoftness;
-            sum += wx[x] * wy[y] * texture(shadowMaps, vec4((at + offset) * light.shadowTexel, float(cascade), place.z));
-        }
-    return sum / 16.0;
-#endif
-}
-
-// Beyond the shadow maps: whether a mountain stands before the sun.
-float sunOverGround(vec3 relative)
-{
-    vec2 place = relative.xz * light.groundShadow.xy + light.groundShadow.zw;
-    float shadow = textureLod(groundShadow, place, 0.0).r - view.eyeHeight;
-    float soft = 1.5 + length(relative) * 0.004;
-    return smoothstep(-soft, soft, relative.y - shadow + soft);
-}
-
 // Share of the sun that reaches a place under the clouds.
 float cloudShadow(vec3 relative)
 {
     vec2 shift = light.towardSun.xz * (relative.y / max(light.towardSun.y, 0.12));
     float through = textureLod(cloudMap, (relative.xz - shift) * (1.0 / CLOUD_MAP_METRES) + light.cloudMap.zw, 0.0).r;
     return relative.y < light.cloudAltitude ? through : 1.0;
-}
-
-// Share of the sun that reaches a place.
-float sunVisibility(vec3 relative, vec3 normal, vec2 pixel)
-{
-#ifdef SHADOWS
-    float viewDepth = dot(relative, view.forward);
-    int cascade = cascadeAt(viewDepth, interleavedNoise(pixel));
-    float cosine = clamp(dot(normal, light.towardSun), 0.0, 1.0);
-    float lift = light.cascadeTexel[cascade] * (light.shadowBias * sqrt(1.0 - cosine * cosine) + 0.35 * light.shadowBias);
-    vec3 place = (light.shadowFromRelative[cascade] * vec4(relative + normal * lift, 1.0)).xyz;
-    float lit = filteredShadow(place, cascade);
-    float beyond = light.cascadeEnd[light.cascades - 1];
-    return mix(lit, sunOverGround(relative), smoothstep(beyond * 0.92, beyond, viewDepth));
-#else
-    return 1.0;
-#endif
 }
 
 vec3 shade(Surface s, vec3 toEye, float sun)

@@ -26,6 +26,61 @@ vec3 heat(float x) // black, blue, green, yellow, red, white
     return mix(steps[i], steps[i + 1], x - float(i));
 }
 
+vec3 tintAt(float away) // of the cascades whose shadows are seen there
+{
+    int cascade = cascadeAt(away);
+    float next = shareOfNext(away, cascade);
+    vec3 tint = mix(cascadeTint(cascade), cascadeTint(cascade + 1), next);
+    bool beyond = shadows.cascades == 0 || away > shadows.fadeFrom + 1.0 / shadows.fadeScale;
+    return beyond ? vec3(1.0) : tint;
+}
+
+#if MODE == 15 && defined(SHADOWS)
+layout(binding = SHADOW_DEPTH_UNIT) uniform sampler2DArray mapDepths;
+
+const float kGap = 4.0, kFrame = 2.0; // pixels
+
+// A map as its window lies in the light's plane: brighter towards the light, with relief as if lit from the upper left, for
+// most of a landscape lies within little of the depth.
+vec3 shadowMapTexel(int cascade, vec2 at, float pixel)
+{
+    ShadowCascade c = shadows.cascade[cascade];
+    float texels = shadows.resolution;
+    float depth = texture(mapDepths, vec3(c.low + at, float(cascade))).r;
+    if (depth >= 1.0) return vec3(0.03, 0.04, 0.07); // nothing there
+    float left = texture(mapDepths, vec3(c.low + at - vec2(pixel, 0.0), float(cascade))).r;
+    float above = texture(mapDepths, vec3(c.low + at + vec2(0.0, pixel), float(cascade))).r;
+    float toWidth = c.depthRange / (c.texel * texels);
+    vec2 slope = (vec2(left, above) - depth) * (toWidth / pixel);
+    float relief = (slope.x + slope.y) / sqrt(1.0 + dot(slope, slope));
+    return vec3(clamp(0.2 + 0.15 * (1.0 - depth) * min(toWidth, 3.0) + 0.25 * relief, 0.06, 1.0));
+}
+
+// All maps in rows, as large as fits, each framed in its cascade's colour.
+vec3 shadowMapAt(vec2 pixel, vec2 picture)
+{
+    int columns = 1;
+    float side = 0.0;
+    for (int tried = 1; tried <= shadows.cascades; ++tried) {
+        int rows = (shadows.cascades + tried - 1) / tried;
+        float fits = floor(min(picture.x / float(tried), picture.y / float(rows)));
+        columns = fits > side ? tried : columns;
+        side = max(side, fits);
+    }
+    int rows = (shadows.cascades + columns - 1) / columns;
+    vec2 corner = floor((picture - side * vec2(columns, rows)) * 0.5);
+    ivec2 tile = ivec2(floor((pixel - corner) / side));
+    int cascade = (rows - 1 - tile.y) * columns + tile.x; // from the top left
+    if (any(lessThan(tile, ivec2(0))) || tile.x >= columns || tile.y >= rows || cascade >= shadows.cascades) return vec3(0.0);
+    vec2 inside = pixel - corner - vec2(tile) * side - kGap;
+    float across = side - 2.0 * kGap;
+    vec2 toEdge = min(inside, across - inside);
+    float edge = min(toEdge.x, toEdge.y);
+    if (edge < 0.0) return vec3(0.0);
+    return edge < kFrame ? cascadeTint(cascade) : shadowMapTexel(cascade, inside / across, 1.0 / across);
+}
+#endif
+
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -55,19 +110,20 @@ void main()
 #elif MODE == 7 // ao
     shown = sky ? vec3(1.0) : vec3(base.a);
 #elif MODE == 8 // shadow
-    shown = sky ? vec3(1.0) : vec3(sunVisibility(relative, normal, gl_FragCoord.xy));
-#elif MODE == 9 // cascade
-    vec3 tints[4] = vec3[4](vec3(1.0, 0.35, 0.3), vec3(0.4, 1.0, 0.35), vec3(0.35, 0.5, 1.0), vec3(1.0, 0.9, 0.3));
-    float viewDepth = dot(relative, view.forward);
+    shown = sky ? vec3(1.0) : vec3(sunVisibility(relative, normal));
+#elif MODE == 9 || MODE == 16 // cascade; backdrop of their boxes
     vec3 grey = vec3(luminance(encodeSrgb(toneMap(TONE_AGX, lit.rgb * view.exposure))));
-    bool beyond = sky || viewDepth > light.cascadeEnd[light.cascades - 1];
-    shown = beyond ? grey : grey * tints[cascadeAt(viewDepth, 0.0)];
+    shown = sky ? grey : grey * tintAt(length(relative));
+    shown *= MODE == 16 ? 0.45 : 1.0;
 #elif MODE == 10 // luminance: heat over 16 stops around middle grey
     shown = heat((log2(max(luminance(lit.rgb) * view.exposure, 1e-9) / 0.18) + 8.0) / 16.0);
 #elif MODE == 11 // backdrop of wireframe, lod and nodes
     shown = encodeSrgb(toneMap(TONE_AGX, lit.rgb * view.exposure)) * 0.45;
 #elif MODE == 13 // overdraw: surfaces a pixel, white from 20
     shown = heat(lit.r / 20.0);
+#endif
+#if MODE == 15 && defined(SHADOWS)
+    shown = shadowMapAt(gl_FragCoord.xy, vec2(textureSize(gbufferDepth, 0)));
 #endif
     colour = vec4(shown, 1.0);
 }

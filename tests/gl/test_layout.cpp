@@ -3,6 +3,7 @@
 #include "renderer/shaders/shared/instance.h"
 #include "renderer/shaders/shared/light.h"
 #include "renderer/shaders/shared/material.h"
+#include "renderer/shaders/shared/shadows.h"
 #include "renderer/shaders/shared/terrain.h"
 #include "renderer/shaders/shared/view.h"
 #include "tests/gl/support/shared_renderer.h"
@@ -30,7 +31,7 @@ protected:
 
 TEST_F(Layout, ViewAndLightAgree)
 {
-    const renderer::gl::Program& p = shaders.fullScreen("lighting", {"SHADOWS", "CLOUD_SHADOWS"});
+    const renderer::gl::Program& p = shaders.fullScreen("lighting", {"SHADOWS", "SHADOW_TAPS 2", "CLOUD_SHADOWS"});
     ASSERT_TRUE(p);
     EXPECT_EQ(offsetIn(p, "view.clipFromRelative"), offsetof(glsl::View, clipFromRelative));
     EXPECT_EQ(offsetIn(p, "view.eyeLow"), offsetof(glsl::View, eyeLow));
@@ -39,13 +40,17 @@ TEST_F(Layout, ViewAndLightAgree)
     EXPECT_EQ(offsetIn(p, "view.texel"), offsetof(glsl::View, texel));
 
     EXPECT_EQ(offsetIn(p, "light.sunRadius"), offsetof(glsl::Light, sunRadius));
-    EXPECT_EQ(offsetIn(p, "light.shadowFromRelative[0]"), offsetof(glsl::Light, shadowFromRelative));
-    EXPECT_EQ(offsetIn(p, "light.cascadeTexel"), offsetof(glsl::Light, cascadeTexel));
-    EXPECT_EQ(offsetIn(p, "light.shadowTexel"), offsetof(glsl::Light, shadowTexel));
     EXPECT_EQ(offsetIn(p, "light.cloudOrigin"), offsetof(glsl::Light, cloudOrigin));
     EXPECT_EQ(offsetIn(p, "light.atmosphere.rayleigh"), offsetof(glsl::Light, atmosphere.rayleigh));
     EXPECT_EQ(offsetIn(p, "light.atmosphere.horizon"), offsetof(glsl::Light, atmosphere.horizon));
     EXPECT_EQ(offsetIn(p, "skyLight.irradiance[0]"), 0);
+
+    EXPECT_EQ(offsetIn(p, "shadows.cascade[1].textureFromRelative"), sizeof(glsl::ShadowCascade));
+    EXPECT_EQ(offsetIn(p, "shadows.cascade[1].penumbra"), sizeof(glsl::ShadowCascade) + offsetof(glsl::ShadowCascade, penumbra));
+    EXPECT_EQ(offsetIn(p, "shadows.cascade[1].low"), sizeof(glsl::ShadowCascade) + offsetof(glsl::ShadowCascade, low));
+    EXPECT_EQ(offsetIn(p, "shadows.ends"), offsetof(glsl::Shadows, ends));
+    EXPECT_EQ(offsetIn(p, "shadows.resolution"), offsetof(glsl::Shadows, resolution));
+    EXPECT_EQ(offsetIn(p, "shadows.fadeScale"), offsetof(glsl::Shadows, fadeScale));
 }
 
 TEST_F(Layout, TerrainAgrees)

@@ -1,5 +1,5 @@
 // Shadows fall where the sun says, and stand still while the camera moves.
-#include "renderer/cascades.h"
+#include "io/scene/texel_rect.h"
 #include "tests/gl/support/shared_renderer.h"
 
 #include <algorithm>
@@ -92,50 +92,6 @@ TEST(Shadows, AnOpenPlaneIsNotShadedByItself)
         EXPECT_GT(ground, 5000);
         EXPECT_LE(dark, ground / 1000) << elevation;
     }
-}
-
-TEST(Cascades, TexelsStandStillInTheWorld)
-{
-    std::mt19937 random{3};
-    std::uniform_real_distribution<double> place{-500, 500}, turn{-180, 180}, tilt{-80, 80};
-    const glm::dvec3 sun = glm::normalize(glm::dvec3{0.4, 0.6, 0.3});
-    const io::Shadows shadows;
-    std::vector<double> radii;
-    for (int i = 0; i < 1000; ++i) {
-        const io::Camera camera{.eye = {place(random), place(random), place(random)}, .yaw = float(turn(random)), .pitch = float(tilt(random))};
-        const renderer::Eye eye = renderer::eyeOf(camera, kSize);
-        const auto cascades = renderer::cascadesOf(eye, shadows, sun);
-        ASSERT_EQ(cascades.size(), 4u);
-        for (std::size_t c = 0; c < 4; ++c) {
-            const glm::dvec4 origin = cascades[c].textureFromRelative * glm::dvec4{-eye.position, 1};
-            const glm::dvec2 texels = glm::dvec2{origin} * double(shadows.resolution);
-            EXPECT_NEAR(texels.x, std::round(texels.x), 1e-3);
-            EXPECT_NEAR(texels.y, std::round(texels.y), 1e-3);
-            if (radii.size() < 4) radii.push_back(cascades[c].radius);
-            EXPECT_EQ(cascades[c].radius, radii[c]);
-        }
-    }
-}
-
-TEST(Cascades, CoverTheirSlices)
-{
-    const io::Camera camera{.eye = {100, 20, -30}, .yaw = 33, .pitch = -12, .fov = 70};
-    const renderer::Eye eye = renderer::eyeOf(camera, {1280, 720});
-    for (const renderer::Cascade& cascade : renderer::cascadesOf(eye, {}, glm::normalize(glm::dvec3{0.2, 0.3, -0.8})))
-        for (int corner = 0; corner < 8; ++corner) {
-            const double depth = corner & 4 ? cascade.endDepth : cascade.beginDepth;
-            const glm::dvec3 relative = (eye.forward + eye.right * (eye.tanHalfFov * eye.aspect * (corner & 1 ? 1 : -1)) +
-                                         eye.up * (eye.tanHalfFov * (corner & 2 ? 1 : -1))) * depth;
-            const glm::dvec3 place{cascade.textureFromRelative * glm::dvec4{relative, 1}};
-            const io::Texel low = cascade.low % std::int64_t(cascade.resolution);
-            for (int axis = 0; axis < 2; ++axis) {
-                const double begin = double(low[axis] < 0 ? low[axis] + cascade.resolution : low[axis]) / cascade.resolution;
-                EXPECT_GE(place[axis], begin);
-                EXPECT_LE(place[axis], begin + 1);
-            }
-            EXPECT_GE(place.z, 0);
-            EXPECT_LE(place.z, 1);
-        }
 }
 
 TEST(TexelRect, whatIsLeftCoversAllOnce)
@@ -237,16 +193,6 @@ TEST(Shadows, WhatMovesTakesItsShadowAlong)
     const io::Image after = shadowsAt(camera, false);
     EXPECT_GT(differingShare(before, after), 2e-3);
     EXPECT_LT(differingShare(after, shadowsAt(camera, true)), 5e-4);
-}
-
-TEST(Cascades, EverySettingCounts)
-{
-    io::Shadows shadows{.cascades = 3, .distance = 90, .lambda = 0};
-    EXPECT_EQ(renderer::cascadeEnds(shadows).size(), 3u);
-    EXPECT_NEAR(renderer::cascadeEnds(shadows)[0], 30.3, 0.1);
-    EXPECT_DOUBLE_EQ(renderer::cascadeEnds(shadows)[2], 90);
-    shadows.lambda = 1;
-    EXPECT_LT(renderer::cascadeEnds(shadows)[0], 5);
 }
 
 } // namespace

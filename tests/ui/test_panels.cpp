@@ -3,6 +3,7 @@
 #include "tests/ui/support/rig.h"
 
 #include "editor/arrange.h"
+#include "editor/commands.h"
 
 #include <chrono>
 #include <gtest/gtest.h>
@@ -118,6 +119,39 @@ TEST(Panels, TheSunIsDraggedOnItsDial)
     EXPECT_NEAR(sun.azimuth, 90, 2);
     EXPECT_NEAR(sun.elevation, 45, 2);
     EXPECT_EQ(rig.document().history().names().size(), 1u);
+}
+
+// Ends of cascades by hand push one another, and those that do not count cannot be dragged.
+TEST(Panels, EndsOfCascadesStayInOrder)
+{
+    Rig rig;
+    rig.click("Environment", "tab");
+    io::Environment environment = rig.document().scene().environment();
+    environment.shadows = {.cascades = 4, .splits = io::Splits::Manual};
+    rig.document().run(std::make_unique<editor::SwapEnvironment>("by hand", environment));
+    rig.click("Search settings", "text");
+    rig.type("end of the");
+    rig.frame(2);
+    const auto shadows = [&]() -> const io::Shadows& { return rig.document().scene().environment().shadows; };
+    const auto drag = [&](const char* label, float by) {
+        const ImVec2 field = rig.at(label, "number");
+        rig.drag(field, {field.x + by, field.y});
+    };
+    drag("End of the 1st", 60);
+    EXPECT_GT(shadows().end1, 45);
+    EXPECT_GT(shadows().end2, shadows().end1);
+    EXPECT_GT(shadows().end3, shadows().end2);
+    const float unused = shadows().end4;
+    drag("End of the 4th", 60);
+    EXPECT_EQ(shadows().end4, unused);
+    drag("End of the 3rd", -2000);
+    EXPECT_LT(shadows().end2, shadows().end3);
+    EXPECT_LT(shadows().end1, shadows().end2);
+    environment.shadows.splits = io::Splits::Practical;
+    rig.document().run(std::make_unique<editor::SwapEnvironment>("practical", environment));
+    rig.frame(2);
+    drag("End of the 1st", 60);
+    EXPECT_EQ(shadows().end1, 15);
 }
 
 TEST(Panels, HierarchySelectsRanges)

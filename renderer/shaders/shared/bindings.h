@@ -8,6 +8,7 @@
 #define TERRAIN_BINDING 2
 #define PASS_BINDING 3
 #define SKY_LIGHT_BINDING 4
+#define SHADOWS_BINDING 6
 
 // Storage blocks
 #define SKY_LIGHT_STORAGE_BINDING 0 // the same buffer while it is written
@@ -51,6 +52,7 @@
 #define IMAGE_UNIT 10
 #define GROUND_SHADOW_UNIT 11
 #define CLOUD_MAP_UNIT 16
+#define SHADOW_DEPTH_UNIT 17 // the shadow maps as numbers
 
 // Records that vertices read are buffer textures: software GL fetches a texel far faster than it reads a storage block.
 #define MATERIALS_UNIT 14

@@ -1,10 +1,9 @@
-// Sun, sky, shadows, fog and clouds of one frame.
+// Sun, sky, fog and clouds of one frame.
 #ifndef SHARED_LIGHT_H
 #define SHARED_LIGHT_H
 #include "atmosphere.h"
 #include "shared.h"
 
-#define MAX_CASCADES 4
 #define CLOUD_MAP_SIZE 256       // texels
 #define CLOUD_MAP_METRES 12000.0f
 
@@ -15,11 +14,6 @@ struct Light {
     vec3 sunIrradiance; float sunRadius;     // at the eye, behind the atmosphere; radians
     vec3 sunAbove;      float sunSolidAngle; // irradiance above the atmosphere; sr
     vec3 skyFloor;      float cloudsOn;      // radiance that the sky never falls below: stars and airglow
-    mat4 shadowFromRelative[MAX_CASCADES];   // to [0, 1] on x and y, and depth
-    vec4 cascadeEnd;                         // view depth, m
-    vec4 cascadeTexel;                       // m
-    int cascades;       float shadowSoftness; // texels
-    float shadowBias;   float shadowTexel;    // texels; 1 / resolution
     vec3 fogTint;       float fogDensity;     // at the eye's height, per m; 0: no fog
     float fogHeight;    float cloudAltitude;  // scale height, m; m above the eye
     float cloudEdge;    float cloudWidth;     // value of the field where clouds begin, and range over which they thicken
@@ -29,7 +23,7 @@ struct Light {
     vec4 cloudMap;                            // middle of the map of cloud shadows in the field, m; uv of the eye's shadow
     Atmosphere atmosphere;
 };
-SHARED_STRUCT_END(Light, 528)
+SHARED_STRUCT_END(Light, 224)
 
 // What the sky gives to surfaces, integrated on the GPU when the sky changes.
 struct SkyLight {

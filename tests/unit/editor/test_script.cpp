@@ -318,6 +318,9 @@ TEST(Properties, TextAsTypedOnACommandLineIsUnderstood)
     EXPECT_FALSE(document->scene().find(io::TemplateId{2})->castShadow);
     EXPECT_TRUE(setProperty(*document, "environment.time", valueFromText("6.5")));
     EXPECT_EQ(document->scene().environment().time, 6.5f);
+    EXPECT_TRUE(setProperty(*document, "environment.shadows.end_1", valueFromText("60"))); // it counts for nothing yet
+    const io::Status disorder = setProperty(*document, "environment.shadows.splits", valueFromText("manual"));
+    EXPECT_EQ(disorder ? "" : disorder.error().text(), "environment.shadows.splits: shadows.end_2: 45 m must be beyond end_1, 60 m");
     EXPECT_TRUE(setProperty(*document, "object.1.name", valueFromText("17")));
     EXPECT_EQ(document->scene().at(io::ObjectId{1}).name, "17");
 }

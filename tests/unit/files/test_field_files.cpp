@@ -88,6 +88,21 @@ TEST(EnvironmentFile, ValuesOutsideAreMovedToTheNearestEnd)
     EXPECT_EQ(errorsIn(complaints), 1);
 }
 
+TEST(EnvironmentFile, EndsOfCascadesMustRise)
+{
+    EXPECT_EQ(environmentFaults(environmentWith("\"shadows\": {\n\"splits\": \"manual\",\n\"end_1\": 60,\n\"end_2\": 50}")),
+              "e.json:7: shadows.end_2: 50 m must be beyond end_1, 60 m\n");
+    EXPECT_EQ(environmentFaults(environmentWith("\"shadows\": {\n\"splits\": \"manual\",\n\"end_1\": 60}")),
+              "e.json:4: shadows.end_2: 45 m must be beyond end_1, 60 m\n");
+    EXPECT_EQ(environmentFaults(environmentWith("\"shadows\": {\"end_1\": 60, \"end_2\": 50}")), "");
+    Complaints complaints;
+    const Result<Environment> read = readEnvironmentText(
+        environmentWith("\"shadows\": {\"splits\": \"manual\", \"end_1\": 60, \"end_2\": 50}"), "e.json", complaints);
+    EXPECT_EQ(read->shadows.end1, 60);
+    EXPECT_GT(read->shadows.end2, 60) << "so that there are shadows all the same";
+    EXPECT_EQ(errorsIn(complaints), 1);
+}
+
 TEST(EnvironmentFile, HeadersAreChecked)
 {
     EXPECT_EQ(environmentFaults("{}"), "e.json:1: format: missing; add \"format\": \"wold-environment\"\n"

@@ -1,0 +1,23 @@
+// The row of looks of the day: one to choose and the seconds over which it comes, this one to keep, and the day to run.
+#pragma once
+
+#include <string>
+
+namespace editor {
+
+class Editor;
+
+class LookRow {
+public:
+    void draw(Editor& editor); // of an open document
+
+private:
+    void keepLook(Editor& editor); // the popup that asks for its name
+    void choose(Editor& editor, const std::string& name);
+
+    double m_seconds = 0; // over which a chosen look comes
+    std::string m_chosen; // look, as the row shows it
+    std::string m_name;   // to keep one under
+};
+
+} // namespace editor
