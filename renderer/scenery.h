@@ -4,6 +4,7 @@
 #include "io/scene/environment.h"
 #include "renderer/eye.h"
 #include "renderer/ground_shadow.h"
+#include "renderer/lamps.h"
 #include "renderer/light.h"
 #include "renderer/terrain.h"
 #include "renderer/world.h"
@@ -12,6 +13,7 @@ namespace renderer {
 
 struct Scenery {
     World world;
+    Lamps lamps;
     CullTable cullTable;
     Terrain terrain;
     GroundShadow groundShadow;
@@ -25,10 +27,12 @@ struct Viewpoint {
     bool frozen = false;
     glm::dvec3 towardSun{0, 1, 0};
     std::vector<Cascade> cascades; // empty: no shadows
+    std::vector<Lamp> lamps;       // in view, brightest first; empty: none, or switched off
     glsl::View view;
     glsl::Wind wind;
     double time = 0; // s
     glsl::Light light;
+    io::Occlusion occlusion;
 };
 
 } // namespace renderer
