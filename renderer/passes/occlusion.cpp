@@ -10,9 +10,9 @@ namespace renderer {
 namespace {
 
 // Software draws at half the resolution, and each place looked at costs it as much as a pixel's simple shading.
-constexpr int kSlices = 3, kSteps = 4;         // to either side
+constexpr int kSlices = 4, kSteps = 6; // to either side
 constexpr int kHalfSlices = 1, kHalfSteps = 4;
-constexpr float kMostOfHeight = 0.25f; // of the picture, that the radius may span: places further apart say nothing of each other
+constexpr float kMostOfHeight = 0.4f; // of the picture, that the radius may span: places further apart say nothing of each other
 
 glsl::OcclusionPass constantsOf(const Eye& eye, const io::Occlusion& occlusion, int stride, glm::ivec2 size)
 {

@@ -30,15 +30,25 @@ float fastAcos(float x) // within 7e-5 of the angle
     return x < 0.0 ? kPi - angle : angle;
 }
 
-// Raises the cosine of a horizon to that of a place, as far as that counts.
-float raised(float horizon, float lowest, vec3 centre, vec3 towardEye, ivec2 texel)
+// How much of one side of a slice is hidden up to an elevation e over the surface: sin^2 e, and beyond the normal
+// 2 - sin^2 e. This grows with the light that is lost, so that what counts by half takes half of it, whatever the view.
+// What is beside the slice by rounding is moved into it along the surface.
+float hiddenBy(ivec2 texel, vec3 centre, vec3 tangent, vec3 normal)
 {
     ivec2 inside = clamp(texel, ivec2(0), pass.size - 1);
     vec3 delta = placeAt(inside, depthAt(inside)) - centre;
-    float length2 = max(dot(delta, delta), 1e-8);
-    float inverse_ = inversesqrt(length2);
-    float weight = texel == inside ? occlusionWeight(length2 * inverse_, pass.radius) : 0.0;
-    return max(horizon, mix(lowest, dot(delta, towardEye) * inverse_, weight));
+    float weight = texel == inside ? occlusionWeight(length(delta), pass.radius) : 0.0;
+    float along = dot(delta, tangent);
+    float above = max(dot(delta, normal), 0.0);
+    float flat_ = along * along / max(along * along + above * above, 1e-12);
+    return above > 0.0 ? weight * (along > 0.0 ? 1.0 - flat_ : 1.0 + flat_) : 0.0;
+}
+
+// The angle from the surface to the horizon.
+float elevation(float hidden)
+{
+    float rest = 1.0 - hidden;
+    return fastAcos(sign(rest) * sqrt(abs(rest)));
 }
 
 float arc(float horizon, float n, float cosine, float sine) // of one side
@@ -64,34 +74,34 @@ void main()
 
     float turn = float((((texel.x + texel.y) & 3) << 2) + (texel.x & 3)) * (1.0 / 16.0);
     float shift = float((texel.y - texel.x) & 3) * 0.25 + 0.125;
-    float seen = 0.0;
+    float lost = 0.0;
     for (int slice = 0; slice < SLICES; ++slice) {
         float angle = (float(slice) + turn) * (kPi / float(SLICES));
         vec2 along = vec2(cos(angle), sin(angle));
-        // The normal within the slice, as an angle from the eye's direction.
-        vec3 tangent = vec3(along, 0.0) - towardEye * dot(along, towardEye.xy);
-        vec3 axis = normalize(cross(tangent, towardEye));
-        vec3 projected = normal - axis * dot(normal, axis);
+        // The normal within the slice, as an angle from the eye's direction, and the surface's line in it.
+        vec3 aside = vec3(along, 0.0) - towardEye * dot(along, towardEye.xy);
+        aside *= inversesqrt(max(dot(aside, aside), 1e-8));
+        vec2 projected = vec2(dot(normal, aside), dot(normal, towardEye));
         float share = max(length(projected), 1e-4);
-        float cosine = clamp(dot(projected, towardEye) / share, 0.0, 1.0);
-        float n = fastAcos(cosine) * (dot(tangent, projected) < 0.0 ? -1.0 : 1.0);
-        float sine = sin(n);
+        float sine = projected.x / share;
+        float cosine = clamp(projected.y / share, 0.0, 1.0);
+        float n = fastAcos(cosine) * (sine < 0.0 ? -1.0 : 1.0);
+        vec3 tangent = aside * cosine - towardEye * sine;
+        vec3 up = normal / share;
 
-        vec2 horizons = vec2(-sine, sine); // cosines: the surface's own plane
-        vec2 lowest = horizons;
+        vec2 hidden = vec2(0.0); // ahead and back
         for (int step_ = 0; step_ < STEPS; ++step_) {
             float s = (float(step_) + shift) * (1.0 / float(STEPS));
             ivec2 offset = ivec2(round(along * (kNearest + s * s * max(reach - kNearest, 0.0))));
-            horizons.x = raised(horizons.x, lowest.x, centre, towardEye, texel + offset);
-            horizons.y = raised(horizons.y, lowest.y, centre, towardEye, texel - offset);
+            hidden.x = max(hidden.x, hiddenBy(texel + offset, centre, tangent, up));
+            hidden.y = max(hidden.y, hiddenBy(texel - offset, centre, -tangent, up));
         }
-        float h0 = -fastAcos(clamp(horizons.y, -1.0, 1.0));
-        float h1 = fastAcos(clamp(horizons.x, -1.0, 1.0));
-        h0 = n + clamp(h0 - n, -0.5 * kPi, 0.5 * kPi);
-        h1 = n + clamp(h1 - n, -0.5 * kPi, 0.5 * kPi);
-        seen += share * (arc(h0, n, cosine, sine) + arc(h1, n, cosine, sine));
+        float h1 = max(n + 0.5 * kPi - elevation(hidden.x), 0.0); // no further than the eye, who sees past them
+        float h0 = min(n - 0.5 * kPi + elevation(hidden.y), 0.0);
+        // Counted from what this slice of an open plane sees, which is 1 in the mean over slices only.
+        lost += share * (cosine + n * sine - arc(h0, n, cosine, sine) - arc(h1, n, cosine, sine));
     }
-    seen *= 1.0 / float(SLICES);
+    float seen = 1.0 - lost / float(SLICES);
     seen = (bits & SURFACE_LEAF) != 0u ? mix(1.0, seen, kLeafShare) : seen;
     result.x = mix(1.0, seen, clamp(reach / kNearest - 1.0, 0.0, 1.0)); // gone where it is not to be seen
 }

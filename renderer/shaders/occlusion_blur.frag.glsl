@@ -30,7 +30,7 @@ void main()
     }
     float seen = sum / weights;
 #ifdef LAST
-    seen = pow(clamp(seen, 0.0, 1.0), pass.strength);
+    seen = pow(clamp(seen, 0.0, 1.0), pass.strength * OCCLUSION_POWER);
 #endif
     result = vec2(seen, depth);
 }

@@ -246,7 +246,7 @@ TEST(Lamps, WhatStandsInTheLightThrowsAShadow)
         const io::Image image = radiance(kAside);
         const float under = at(image, kAside, {0, 0, 2.8}).x, lit = at(image, kAside, {0, 0, 5.5}).x;
         EXPECT_LT(under, 0.01 * lit) << int(light.kind); // the shadow reaches to 4 m
-        EXPECT_GT(lit, 0.02) << int(light.kind);
+        EXPECT_GT(lit, 0.01) << int(light.kind);
 
         light.castShadow = false;
         io::Template open = *shaded.made.world.scene.find(shaded.made.lamp);
@@ -290,10 +290,11 @@ TEST(Lamps, ShadowsAreKeptUntilSomethingMovesInTheLight)
     };
     const std::uint64_t first = triangles(), kept = triangles();
     EXPECT_LT(kept, first);
-    move(far, 220); // out of reach, night after night: the sun's shadow maps are not there to forget it
-    for (int i = 0; i < 300; ++i)
-        move(far, 220 + i);
-    EXPECT_EQ(triangles(), kept);
+    for (int frame = 0; frame < 40; ++frame) { // out of reach, for long: by night the sun's shadow maps do not forget it
+        for (int i = 0; i < 10; ++i)
+            move(far, 220 + i);
+        EXPECT_EQ(triangles(), kept);
+    }
     move(shaded.roof, 3);
     EXPECT_GT(triangles(), kept);
     EXPECT_EQ(triangles(), kept);
