@@ -39,8 +39,8 @@ SHARED_FUNCTION float blinnPhong(float alpha, float noh)
 struct Reflector {
     vec3 diffuse;  float alpha; // base colour of the Lambert part; roughness squared
     vec3 f0;       float nov;   // reflection at right angles; cosine of the eye
-    vec3 mirrored; float unused0; // share of an even light from all around that the lobe reflects, with later bounces
-    vec3 gain;     float unused1; // factor on the lobe for light that bounces more than once on its facets
+    vec3 mirrored; // share of an even light from all around that the lobe reflects, with later bounces
+    vec3 gain;     // factor on the lobe for light that bounces more than once on its facets
 };
 
 // The lobe's two integrals over the hemisphere, of f0 = 1 and of the Fresnel term's power alone ("split sum"), as fits to
@@ -66,8 +66,6 @@ SHARED_FUNCTION Reflector reflectorOf(vec3 baseColour, float metallic, float rou
     r.gain = vec3(1.0f) + r.f0 * (1.0f / whole - 1.0f);
     r.mirrored = (vec3(edge) + r.f0 * (whole - edge)) * r.gain;
     r.diffuse = baseColour * (1.0f - metallic) * (vec3(1.0f) - r.mirrored);
-    r.unused0 = 0.0f;
-    r.unused1 = 0.0f;
     return r;
 }
 
