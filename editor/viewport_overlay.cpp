@@ -16,6 +16,7 @@ namespace {
 constexpr ImU32 kAxes[] = {palette::kRed, palette::kGreen, palette::kBlue};
 constexpr ImU32 kNeutral = IM_COL32(225, 225, 232, 255);
 constexpr ImU32 kHot = IM_COL32(255, 214, 92, 255);
+constexpr glm::vec4 kLampReach{1, 0.85f, 0.4f, 0.6f}; // sRGB
 constexpr ImU32 kPill = IM_COL32(18, 18, 21, 190);
 
 ImU32 colourOf(const GizmoShape& shape)
@@ -83,7 +84,8 @@ renderer::FrameInput Viewport::frameInput(Editor& editor)
     return input;
 }
 
-// Selected groups have no mesh of their own: their members are tinted, and a box stands around them.
+// Selected groups have no mesh of their own: their members are tinted, and a box stands around them. Lamps show how far they
+// reach.
 void Viewport::refreshSelectionShown(Editor& editor)
 {
     const Document& document = *editor.document();
@@ -100,7 +102,10 @@ void Viewport::refreshSelectionShown(Editor& editor)
     m_lines.clear();
     for (const io::ObjectId id : editor.selection().ids()) {
         const io::Object* object = document.scene().find(id);
-        if (!object || object->templateId != io::TemplateId::None) continue;
+        if (!object) continue;
+        if (const io::Template* value = document.scene().find(object->templateId))
+            if (const auto lamp = renderer::lampOf(*object, value->light)) renderer::addLamp(m_lines, *lamp, kLampReach);
+        if (object->templateId != io::TemplateId::None) continue;
         if (const io::WorldBox box = boundsOf(document, {&id, 1}); !box.empty())
             renderer::addBox(m_lines, box, {0.62f, 0.47f, 1.0f, 0.55f});
     }

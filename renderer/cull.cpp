@@ -59,7 +59,7 @@ glsl::CullCounts cull(const CullScene& scene, const CullRequest& request, std::v
     glsl::CullCounts counts{};
     const auto test = [&](std::uint32_t slot, bool inside) {
         const glsl::CullRecord& record = scene.records[slot];
-        if (!glsl::wanted(record, view) || !(inside || glsl::insidePlanes(record, view))) return;
+        if (&record == request.leftOut || !glsl::wanted(record, view) || !(inside || glsl::insidePlanes(record, view))) return;
         ++counts.inside;
         if (!glsl::largeEnough(record, view)) return;
         ++counts.large;

@@ -28,6 +28,7 @@ struct CullRequest {
     float swayLength = 0;                // m, the same for parallel light
     std::uint32_t required = 0;          // flags
     std::uint32_t refused = 0;
+    const glsl::CullRecord* leftOut = nullptr; // the one thing that is not looked at; known to the CPU only
 };
 glsl::CullView cullView(const CullRequest& request, std::size_t instances);
 

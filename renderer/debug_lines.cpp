@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 namespace renderer {
 namespace {
@@ -90,6 +91,38 @@ void addBox(std::vector<Line>& lines, const io::WorldBox& box, const glm::vec4& 
     for (int i = 0; i < 8; ++i)
         for (const int bit : {1, 2, 4})
             if (!(i & bit)) lines.push_back({.from = corner(i), .to = corner(i | bit), .colour = colour});
+}
+
+void addLamp(std::vector<Line>& lines, const Lamp& lamp, const glm::vec4& colour)
+{
+    constexpr int kSegments = 48;
+    const auto circle = [&](const glm::dvec3& middle, const glm::dvec3& u, const glm::dvec3& v) {
+        const auto at = [&](int i) {
+            const double angle = 2 * std::numbers::pi * i / kSegments;
+            return middle + u * std::cos(angle) + v * std::sin(angle);
+        };
+        for (int i = 0; i < kSegments; ++i)
+            lines.push_back({.from = at(i), .to = at(i + 1), .colour = colour});
+    };
+    const double range = lamp.range;
+    if (!lamp.isSpot()) {
+        const glm::dvec3 x{range, 0, 0}, y{0, range, 0}, z{0, 0, range};
+        circle(lamp.place, x, y);
+        circle(lamp.place, y, z);
+        circle(lamp.place, z, x);
+        return;
+    }
+    const glm::dvec3 forward{lamp.direction};
+    const glm::dvec3 aside = std::abs(forward.y) > 0.9 ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 1, 0};
+    const glm::dvec3 u = glm::normalize(glm::cross(forward, aside)), v = glm::cross(u, forward);
+    for (const double angle : {double(lamp.inner), double(lamp.outer)}) {
+        const glm::dvec3 middle = lamp.place + forward * (range * std::cos(angle));
+        const double radius = range * std::sin(angle);
+        circle(middle, u * radius, v * radius);
+        if (angle != double(lamp.outer)) continue;
+        for (const glm::dvec3& side : {u, -u, v, -v})
+            lines.push_back({.from = lamp.place, .to = middle + side * radius, .colour = colour});
+    }
 }
 
 void addFrustum(std::vector<Line>& lines, const Eye& eye, const io::WorldBox& world)

@@ -4,6 +4,7 @@
 #include "io/scene/bounds.h"
 #include "renderer/cascades.h"
 #include "renderer/cull.h"
+#include "renderer/lamps.h"
 
 #include <optional>
 #include <span>
@@ -12,6 +13,9 @@
 namespace renderer {
 
 void addBox(std::vector<Line>& lines, const io::WorldBox& box, const glm::vec4& colour); // its twelve edges
+
+// How far a lamp reaches: three circles at its range, or a spot's cone with the circle where it begins to fade.
+void addLamp(std::vector<Line>& lines, const Lamp& lamp, const glm::vec4& colour);
 
 // The edges of the eye's view, as far as `world` goes, with a frame at each power of ten metres. Faint where they are hidden.
 void addFrustum(std::vector<Line>& lines, const Eye& eye, const io::WorldBox& world);

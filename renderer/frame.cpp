@@ -1,5 +1,6 @@
 #include "renderer/debug_lines.h"
 #include "renderer/shaders/shared/bindings.h"
+#include "renderer/shaders/shared/lamps.h"
 #include "renderer/state.h"
 #include "renderer/wind.h"
 
@@ -50,11 +51,13 @@ Picture Renderer::State::render(const FrameInput& in)
 
     skyTables.update(gpu, viewpoint.light);
     scenery.terrain.aim(viewpoint.eye, viewpoint.culledFor, in.settings.lod ? in.settings.lodPixels : 1.0f);
+    lamps.render(gpu, scenery, viewpoint, in.settings);
     shadow.render(gpu, scenery, viewpoint, in.settings);
     const GeometryPass::Drawn drawn = drawSurfaces(gpu, in, viewpoint);
     const GBuffer& surfaces = geometry.finish();
 
     const bool lit = needsLight(in.show);
+    if (lit || in.show == Show::Ao) occlusion.render(gpu, surfaces, viewpoint.eye, viewpoint.occlusion, in.settings);
     Radiance& hdr = lit ? lighting.render(gpu, surfaces, viewpoint, in.settings) : lighting.unlit(surfaces);
     if (lit) sky.render(gpu, hdr, viewpoint, in.settings);
     transparent.render(gpu, hdr, surfaces, scenery, viewpoint, drawn.objects, in.ghosts, in.settings);
@@ -62,7 +65,7 @@ Picture Renderer::State::render(const FrameInput& in)
 
     const bool final = in.show == Show::Final;
     if (final) toneMap.render(gpu, canvas, hdr, in.settings);
-    else show.render(gpu, canvas, in.show, hdr, surfaces, scenery, viewpoint, drawn);
+    else show.render(gpu, canvas, in.show, hdr, surfaces, scenery, viewpoint, drawn, in.settings);
     const std::span<const io::ObjectId> outlined = final ? in.selection : std::span<const io::ObjectId>{};
     overlay.render(gpu, canvas, surfaces, viewpoint, scenery.world.boundsOf(outlined), linesOf(in, viewpoint));
     stats.cullingFrozen = in.freezeCulling;
@@ -83,6 +86,8 @@ Viewpoint Renderer::State::look(const FrameInput& in, io::Environment environmen
     v.towardSun = io::towardSun(environment);
     v.wind = windOf(environment.wind, in.settings.wind, v.eye.position, in.time);
     v.view = viewBlock(v.eye, v.eye.clipFromRelative, in.time, environment.exposure);
+    v.occlusion = environment.occlusion;
+    if (in.settings.lamps) v.lamps = scenery.lamps.inView(v.eye, MOST_LAMPS);
     v.light = lightOf({.environment = environment,
                        .settings = in.settings,
                        .eye = v.eye,

@@ -4,6 +4,7 @@
 #include "io/scene/environment.h"
 #include "renderer/eye.h"
 #include "renderer/ground_shadow.h"
+#include "renderer/lamps.h"
 #include "renderer/light.h"
 #include "renderer/shadow_constants.h"
 #include "renderer/terrain.h"
@@ -13,6 +14,7 @@ namespace renderer {
 
 struct Scenery {
     World world;
+    Lamps lamps;
     CullTable cullTable;
     Terrain terrain;
     GroundShadow groundShadow;
@@ -26,11 +28,13 @@ struct Viewpoint {
     bool frozen = false;
     glm::dvec3 towardSun{0, 1, 0};
     std::vector<Cascade> cascades; // empty: no shadows
+    std::vector<Lamp> lamps;       // in view, brightest first; empty: none, or switched off
     glsl::View view;
     glsl::Wind wind;
     double time = 0; // s
     glsl::Light light;
     glsl::Shadows shadows;
+    io::Occlusion occlusion;
 };
 
 } // namespace renderer

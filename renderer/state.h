@@ -5,7 +5,9 @@
 #include "renderer/gl/debug.h"
 #include "renderer/impostor_baker.h"
 #include "renderer/passes/geometry.h"
+#include "renderer/passes/lamps.h"
 #include "renderer/passes/lighting.h"
+#include "renderer/passes/occlusion.h"
 #include "renderer/passes/overlay.h"
 #include "renderer/passes/picture.h"
 #include "renderer/passes/shadow.h"
@@ -42,6 +44,8 @@ struct Renderer::State {
     SkyTables skyTables;
     ShadowPass shadow;
     GeometryPass geometry;
+    LampPass lamps;
+    OcclusionPass occlusion;
     LightingPass lighting;
     SkyPass sky;
     TransparentPass transparent;

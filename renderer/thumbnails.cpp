@@ -30,6 +30,7 @@ glsl::Light studioLight()
     light.ambient = 1;
     light.sunIrradiance = glm::vec3{2.1f, 2.05f, 1.95f};
     light.sunAbove = glm::vec3{1};
+    light.sunSolidAngle = 0.015f; // a soft box, so that polished things show no glaring dot
     light.fogHeight = 1;
     return light;
 }

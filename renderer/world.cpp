@@ -119,6 +119,12 @@ InstanceHandle World::handleOf(io::ObjectId id) const
     return known == m_handleOf.end() ? InstanceHandle{} : known->second;
 }
 
+const glsl::CullRecord* World::recordOf(io::ObjectId id) const
+{
+    const InstanceHandle handle = handleOf(id);
+    return on(handle.path()).find(handle);
+}
+
 void World::updateObject(const io::Scene& scene, io::ObjectId id)
 {
     const io::Object* object = scene.find(id);

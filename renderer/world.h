@@ -37,6 +37,7 @@ public:
     std::size_t directModels() const { return m_direct.models(); }
     ModelRef modelOf(io::TemplateId id) const;
     InstanceHandle handleOf(io::ObjectId id) const; // of nobody where it is not drawn
+    const glsl::CullRecord* recordOf(io::ObjectId id) const; // null where it is not drawn
     std::size_t instances() const { return m_handleOf.size(); }
     io::WorldBox boundsOf(std::span<const io::ObjectId> ids) const;
     io::WorldBox bounds() const { return m_bounds; } // at least everything; does not shrink until the next scene

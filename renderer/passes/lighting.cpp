@@ -1,5 +1,6 @@
 #include "renderer/passes/lighting.h"
 
+#include "renderer/passes/occlusion.h"
 #include "renderer/shaders/shared/bindings.h"
 
 namespace renderer {
@@ -16,6 +17,7 @@ std::vector<std::string> lightingDefines(const Viewpoint& viewpoint, const Setti
     std::vector<std::string> defines = shadowDefines(viewpoint.shadows);
     if (settings.shading == Shading::BlinnPhong) defines.emplace_back("BLINN_PHONG");
     if (viewpoint.light.cloudsOn > 0) defines.emplace_back("CLOUD_SHADOWS");
+    if (!viewpoint.lamps.empty()) defines.emplace_back("LAMPS");
     return defines;
 }
 
@@ -42,6 +44,8 @@ Radiance& LightingPass::render(GpuFrame& gpu, const GBuffer& surfaces, const Vie
     surfaces.bind(gpu);
     std::vector<std::string> defines = lightingDefines(viewpoint, settings);
     if (viewpoint.light.fogDensity > 0) defines.emplace_back("FOG");
+    for (std::string& define : occlusionDefines(viewpoint.occlusion, settings))
+        defines.push_back(std::move(define));
     gpu.fullScreen(m_shaders.fullScreen("lighting", std::move(defines)),
                    {.depthTest = kWhereSurfacesAre}, {});
     return m_radiance;

@@ -1,5 +1,6 @@
 #include "renderer/passes/picture.h"
 
+#include "renderer/passes/occlusion.h"
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/shaders/shared/tone_map.h"
 
@@ -80,7 +81,7 @@ void ShowPass::drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draws&
 }
 
 void ShowPass::render(GpuFrame& gpu, PictureTarget& canvas, Show show, const Radiance& radiance, const GBuffer& surfaces,
-                      Scenery& scenery, const Viewpoint& viewpoint, const GeometryPass::Drawn& drawn)
+                      Scenery& scenery, const Viewpoint& viewpoint, const GeometryPass::Drawn& drawn, const Settings& settings)
 {
     const auto scope = gpu.scope("show");
     if (show == Show::Overdraw) { // counted where the light was, for want of it
@@ -93,6 +94,9 @@ void ShowPass::render(GpuFrame& gpu, PictureTarget& canvas, Show show, const Rad
     const bool overBackdrop = show == Show::Wireframe || show == Show::Lod || show == Show::Nodes || ofGround;
     std::vector<std::string> defines = shadowDefines(viewpoint.shadows);
     defines.push_back("MODE " + std::to_string(overBackdrop ? int(Show::Wireframe) : int(show)));
+    if (show == Show::Ao)
+        for (std::string& define : occlusionDefines(viewpoint.occlusion, settings))
+            defines.push_back(std::move(define));
     canvas.framebuffer.bind();
     surfaces.bind(gpu);
     gpu.fullScreen(m_shaders.fullScreen("show", std::move(defines)), {}, {{IMAGE_UNIT, &radiance.texture}});

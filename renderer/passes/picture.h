@@ -26,7 +26,7 @@ class ShowPass {
 public:
     explicit ShowPass(ShaderLibrary& shaders);
     void render(GpuFrame& gpu, PictureTarget& canvas, Show show, const Radiance& radiance, const GBuffer& surfaces,
-                Scenery& scenery, const Viewpoint& viewpoint, const GeometryPass::Drawn& drawn);
+                Scenery& scenery, const Viewpoint& viewpoint, const GeometryPass::Drawn& drawn, const Settings& settings);
 
 private:
     void drawAgain(GpuFrame& gpu, Scenery& scenery, const GeometryPass::Drawn& drawn, const gl::DrawState& state, bool levels);

@@ -101,6 +101,10 @@ const gl::Texture& ShadowPass::render(GpuFrame& gpu, Scenery& scenery, const Vie
     gpu.bind({{GROUND_SHADOW_UNIT, &scenery.groundShadow.texture()}});
     if (viewpoint.cascades.empty()) {
         gpu.bind({{SHADOW_UNIT, &m_lit}});
+        for (Layer& layer : m_layers) // nobody keeps account of what moves
+            layer.window = {};
+        scenery.world.forgetTouched();
+        scenery.terrain.forgetTouched();
         return m_lit;
     }
     resize(viewpoint.cascades.front().resolution, int(viewpoint.cascades.size()));

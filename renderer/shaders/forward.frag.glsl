@@ -1,6 +1,9 @@
 // Objects that are blended over the picture: glass and the like, ghosts of what is being placed, thumbnails.
 #include "fog.glsl"
 #include "lighting.glsl"
+#ifdef LAMPS
+#include "lamps.glsl"
+#endif
 #include "material.glsl"
 
 layout(location = 11) in vec3 relative;
@@ -22,7 +25,12 @@ void main()
     s.metallic = m.metallic;
     s.occlusion = m.occlusion;
     s.bits = (materialFlags() & MATERIAL_LEAF) != 0u ? SURFACE_LEAF : 0u;
-    vec3 lit = shade(s, -normalize(relative), sunVisibility(relative, s.normal)) + m.emissive;
+    vec3 toEye = -normalize(relative);
+    Reflector reflector = reflectorAt(s, toEye);
+    vec3 lit = shade(s, reflector, toEye, sunVisibility(relative, s.normal)) + m.emissive;
+#ifdef LAMPS
+    lit += lampLight(s, reflector, relative, toEye, gl_FragCoord.xy);
+#endif
     lit = (materialFlags() & MATERIAL_UNLIT) != 0u ? s.baseColour / view.exposure : lit;
     lit = isSelected() ? tintSelected(lit) : lit;
     float alpha = m.root.a;

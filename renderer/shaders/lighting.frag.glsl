@@ -2,6 +2,12 @@
 #include "fog.glsl"
 #include "gbuffer_in.glsl"
 #include "lighting.glsl"
+#ifdef LAMPS
+#include "lamps.glsl"
+#endif
+#ifdef OCCLUSION
+#include "occlusion.glsl"
+#endif
 
 layout(location = 0) in vec2 uv;
 layout(location = 1) in vec3 ray;
@@ -24,7 +30,11 @@ void main()
     bool impostor = (s.bits & SURFACE_IMPOSTOR) != 0u;
     s.metallic = impostor ? 0.0 : stored.y;
 
-    vec3 relative = relativeFromDepth(ray, texelFetch(gbufferDepth, pixel, 0).r);
+    float depth = texelFetch(gbufferDepth, pixel, 0).r;
+    vec3 relative = relativeFromDepth(ray, depth);
+#ifdef OCCLUSION
+    s.occlusion *= occlusionAt(pixel, depth);
+#endif
     // A flat picture would lie half in the shadow of what it stands for, with a straight edge.
     vec3 outOfOwnShadow = light.towardSun * (impostor ? stored.y * (IMPOSTOR_MOST_REACH * kOwnShadow) : 0.0);
     float sun = sunVisibility(relative + outOfOwnShadow, s.normal);
@@ -32,7 +42,12 @@ void main()
 #ifdef CLOUD_SHADOWS
     sun *= cloudShadow(relative);
 #endif
-    vec3 lit = shade(s, -normalize(relative), sun);
+    vec3 toEye = -normalize(relative);
+    Reflector reflector = reflectorAt(s, toEye);
+    vec3 lit = shade(s, reflector, toEye, sun);
+#ifdef LAMPS
+    lit += lampLight(s, reflector, relative, toEye, gl_FragCoord.xy);
+#endif
     float emission = decodeEmission(stored.w);
     lit = emission > 0.0 ? lit * 0.25 + s.baseColour * emission : lit;
     lit = (s.bits & SURFACE_UNLIT) != 0u ? s.baseColour / view.exposure : lit; // shown as it is, whatever the light

@@ -1,6 +1,9 @@
 // One buffer of the frame in place of the finished picture.
 #include "gbuffer_in.glsl"
 #include "lighting.glsl"
+#ifdef OCCLUSION
+#include "occlusion.glsl"
+#endif
 #include "shared/tone_map.h"
 
 layout(binding = GBUFFER_ID_UNIT) uniform usampler2D gbufferId;
@@ -108,6 +111,9 @@ void main()
 #elif MODE == 6 // id
     shown = id == 0u ? vec3(0.0) : id == 0xffffffffu ? vec3(0.25) : idColour(id);
 #elif MODE == 7 // ao
+#ifdef OCCLUSION
+    base.a *= sky ? 1.0 : occlusionAt(pixel, depth);
+#endif
     shown = sky ? vec3(1.0) : vec3(base.a);
 #elif MODE == 8 // shadow
     shown = sky ? vec3(1.0) : vec3(sunVisibility(relative, normal));

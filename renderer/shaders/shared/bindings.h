@@ -9,6 +9,7 @@
 #define PASS_BINDING 3
 #define SKY_LIGHT_BINDING 4
 #define SHADOWS_BINDING 6
+#define LAMPS_BINDING 7
 
 // Storage blocks
 #define SKY_LIGHT_STORAGE_BINDING 0 // the same buffer while it is written
@@ -53,6 +54,10 @@
 #define GROUND_SHADOW_UNIT 11
 #define CLOUD_MAP_UNIT 16
 #define SHADOW_DEPTH_UNIT 17 // the shadow maps as numbers
+#define AMBIENT_OCCLUSION_UNIT 18
+#define LAMPS_UNIT 19
+#define LAMP_LISTS_UNIT 20
+#define LAMP_SHADOW_UNIT 30
 
 // Records that vertices read are buffer textures: software GL fetches a texel far faster than it reads a storage block.
 #define MATERIALS_UNIT 14
