@@ -34,7 +34,7 @@ Picture Renderer::State::render(const FrameInput& in)
 {
     shaders.reloadIfDue();
     GpuFrame gpu{stream, timers, stats, empty};
-    scenery.groundShadow.update(scenery.terrain.heights(), io::towardSun(scenery.environment));
+    scenery.groundShadow.update(scenery.terrain.heights(), bodiesOf(scenery.environment).towardLight());
     if (!in.freezeCulling) frozen.reset();
     const Viewpoint viewpoint = look(in);
     canvas.resize("picture", viewpoint.eye.size);
@@ -44,8 +44,9 @@ Picture Renderer::State::render(const FrameInput& in)
     impostors.render(gpu, scenery.world.sharedModels(), scenery.world.impostors());
     gpu.constants(VIEW_BINDING, viewpoint.view);
     gpu.constants(LIGHT_BINDING, viewpoint.light);
+    gpu.constants(HEAVENS_BINDING, viewpoint.heavens);
 
-    skyTables.update(gpu, viewpoint.light);
+    skyTables.update(gpu, viewpoint.light, viewpoint.heavens);
     scenery.terrain.aim(viewpoint.eye, viewpoint.culledFor, in.settings.lod ? in.settings.lodPixels : 1.0f);
     shadow.render(gpu, scenery, viewpoint, in.settings);
     const GeometryPass::Drawn drawn = drawSurfaces(gpu, in, viewpoint);
@@ -78,7 +79,9 @@ Viewpoint Renderer::State::look(const FrameInput& in) const
     v.eye = eyeOf(in.camera, glm::clamp(in.size, 1, kLargestSide));
     v.culledFor = frozen ? frozen->eye : v.eye;
     v.frozen = frozen.has_value();
-    v.towardSun = io::towardSun(environment);
+    v.bodies = bodiesOf(environment);
+    v.towardSun = v.bodies.towardLight();
+    v.heavens = heavensOf(environment, v.bodies);
     v.wind = windOf(environment.wind, in.settings.wind, v.eye.position, in.time);
     v.view = viewBlock(v.eye, v.eye.clipFromRelative, in.time, environment.exposure);
     const bool sunUp = v.towardSun.y > -0.02;
@@ -86,6 +89,7 @@ Viewpoint Renderer::State::look(const FrameInput& in) const
     v.light = lightOf({.environment = environment,
                        .settings = in.settings,
                        .eye = v.eye,
+                       .bodies = v.bodies,
                        .time = in.time,
                        .cascades = v.cascades,
                        .groundShadow = scenery.groundShadow.placement(v.eye.position)});

@@ -4,6 +4,7 @@
 #include "io/scene/environment.h"
 #include "renderer/eye.h"
 #include "renderer/ground_shadow.h"
+#include "renderer/heavens.h"
 #include "renderer/light.h"
 #include "renderer/terrain.h"
 #include "renderer/world.h"
@@ -23,12 +24,14 @@ struct Viewpoint {
     Eye eye;
     Eye culledFor; // whose culling and levels of detail are drawn: the eye itself, but while they are frozen
     bool frozen = false;
-    glm::dvec3 towardSun{0, 1, 0};
+    Bodies bodies;
+    glm::dvec3 towardSun{0, 1, 0}; // or towards the moon, where that lights
     std::vector<Cascade> cascades; // empty: no shadows
     glsl::View view;
     glsl::Wind wind;
     double time = 0; // s
     glsl::Light light;
+    glsl::Heavens heavens;
 };
 
 } // namespace renderer

@@ -1,6 +1,7 @@
 // How a surface answers sun and sky.
 #include "light.glsl"
 #include "sky_light.glsl"
+#include "sky_mirror.glsl"
 #include "shared/brdf.h"
 #include "shared/gbuffer.h"
 #include "view.glsl"
@@ -134,7 +135,7 @@ vec3 shade(Surface s, vec3 toEye, float sun)
     vec3 ambientNormal = leaf ? normalize(s.normal + vec3(0.0, 0.6, 0.0)) : s.normal;
     vec3 mirrored = reflect(-toEye, s.normal);
     vec3 sky = diffuseColour * skyIrradiance(ambientNormal);
-    sky += skyIrradiance(mix(mirrored, s.normal, s.roughness)) * environmentBrdf(f0, s.roughness, nov) * (leaf ? 0.3 : 1.0);
+    sky += skyMirrored(mirrored, s.normal, s.roughness) * environmentBrdf(f0, s.roughness, nov) * (leaf ? 0.3 : 1.0);
     return (diffuse + specular) * light.sunIrradiance * sun + sky * light.ambient * s.occlusion;
 }
 

@@ -8,6 +8,7 @@
 #define TERRAIN_BINDING 2
 #define PASS_BINDING 3
 #define SKY_LIGHT_BINDING 4
+#define HEAVENS_BINDING 5
 
 // Storage blocks
 #define SKY_LIGHT_STORAGE_BINDING 0 // the same buffer while it is written
@@ -50,6 +51,8 @@
 #define MULTI_SCATTER_UNIT 9
 #define IMAGE_UNIT 10
 #define GROUND_SHADOW_UNIT 11
+#define SKY_MIRROR_UNIT 12
+#define AERIAL_UNIT 13
 #define CLOUD_MAP_UNIT 16
 
 // Records that vertices read are buffer textures: software GL fetches a texel far faster than it reads a storage block.

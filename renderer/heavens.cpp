@@ -1,0 +1,74 @@
+#include "renderer/heavens.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace renderer {
+namespace {
+
+constexpr glm::vec3 kMoonlight{0.036f, 0.046f, 0.064f};    // of a full moon: bluer than it is, as eyes find it
+constexpr glm::vec3 kGlow{0.0016f, 0.0026f, 0.0050f};      // of the sky at the horizon
+constexpr glm::vec3 kGlowOverhead{0.00025f, 0.00042f, 0.0009f};
+constexpr glm::vec3 kOnSurfaces{0.0011f, 0.0018f, 0.0034f};
+constexpr float kMoonReflects = 0.12f;  // geometric albedo
+constexpr float kDeepest = 0.0005f;     // radiance of the milky way
+constexpr float kStar = 0.35f;          // radiance of the brightest, over a pixel
+
+double down(double degrees)
+{
+    return -std::sin(glm::radians(degrees));
+}
+
+// How much the moon brightens the sky around.
+float moonInSky(const Bodies& b)
+{
+    return b.moonlight.y / kMoonlight.y * float(std::max(b.moon.toward.y, 0.0));
+}
+
+} // namespace
+
+double moonPhaseLight(double phase)
+{
+    const double angle = 180 * std::abs(1 - 2 * phase); // between sun and earth as seen from there; 0: full
+    return std::pow(10.0, -0.4 * (0.026 * angle + 4e-9 * std::pow(angle, 4)));
+}
+
+Bodies bodiesOf(const io::Environment& environment)
+{
+    Bodies b;
+    b.towardSun = io::towardSun(environment);
+    b.moon = io::moonOf(environment);
+    b.night = glm::smoothstep(down(5), down(14), b.towardSun.y);
+    b.deepNight = glm::smoothstep(down(17), down(21), b.towardSun.y);
+    const double seen = moonPhaseLight(b.moon.phase) * glm::smoothstep(-0.01, 0.03, b.moon.toward.y);
+    b.moonlight = kMoonlight * float(seen * b.night * environment.moon.brightness) * environment.sun.irradiance;
+    b.moonLights = b.towardSun.y < down(3) && std::max({b.moonlight.x, b.moonlight.y, b.moonlight.z}) > 1e-4f;
+    return b;
+}
+
+glm::vec3 nightOnSurfaces(const Bodies& b)
+{
+    return kOnSurfaces * (float(b.night) + 0.6f * moonInSky(b));
+}
+
+glsl::Heavens heavensOf(const io::Environment& environment, const Bodies& b)
+{
+    glsl::Heavens h{};
+    h.towardSun = glm::vec3{b.towardSun};
+    h.aerial = std::max(environment.sky.aerial, 0.0f);
+    h.towardMoon = glm::vec3{b.moon.toward};
+    h.moonRadius = glm::radians(std::max(environment.moon.angularDiameter, 0.01f)) / 2;
+    h.moonLitFrom = glm::vec3{b.moon.litFrom};
+    h.moonRadiance = environment.sun.irradiance * float(kMoonReflects / std::numbers::pi * (1 + 4 * b.night) * std::min(environment.moon.brightness, 4.0f));
+    h.stars = environment.sky.stars * kStar * float(b.night);
+    h.milkyWay = environment.sky.stars * kDeepest * float(b.deepNight);
+    h.glow = kGlow * (float(b.night) + 0.8f * moonInSky(b));
+    h.glowOverhead = kGlowOverhead * float(b.deepNight) * (1 + 2 * moonInSky(b));
+    const glm::dmat3 rows = glm::transpose(io::equatorFromWorld(environment));
+    for (int i = 0; i < 3; ++i)
+        h.equatorFromWorld[i] = glm::vec4{rows[i], 0};
+    return h;
+}
+
+} // namespace renderer
