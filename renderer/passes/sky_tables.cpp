@@ -70,7 +70,6 @@ void SkyTables::update(GpuFrame& gpu, const glsl::Light& light, const glsl::Heav
         m_air = light.atmosphere;
         m_towardSun = heavens.towardSun;
         m_sunRadius = light.sunRadius;
-        ++m_made;
     }
     bind(gpu);
     drawCloudMap(gpu, light);

@@ -16,7 +16,6 @@ public:
     // Costs nothing while sun, air and the eye's height stand. The blocks of both are bound.
     void update(GpuFrame& gpu, const glsl::Light& light, const glsl::Heavens& heavens);
     void bind(GpuFrame& gpu) const; // tables, noise, and the block of the sky's light
-    std::uint64_t made() const { return m_made; } // times that the sky was made anew
 
 private:
     void makeNoise(GpuFrame& gpu);
@@ -40,7 +39,6 @@ private:
     float m_sunRadius = -1;
     glm::vec4 m_clouds{-1};          // of the map: its middle, edge and width
     bool m_noiseMade = false;
-    std::uint64_t m_made = 0;
 };
 
 } // namespace renderer
