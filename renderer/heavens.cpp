@@ -40,7 +40,8 @@ Bodies bodiesOf(const io::Environment& environment)
     b.towardSun = io::towardSun(environment);
     b.moon = io::moonOf(environment);
     b.night = glm::smoothstep(down(5), down(14), b.towardSun.y);
-    b.deepNight = glm::smoothstep(down(17), down(21), b.towardSun.y);
+    b.glow = glm::smoothstep(down(8), down(15), b.towardSun.y);
+    b.deepNight = glm::smoothstep(down(18.1), down(22), b.towardSun.y);
     const double seen = moonPhaseLight(b.moon.phase) * glm::smoothstep(-0.01, 0.03, b.moon.toward.y);
     b.moonlight = kMoonlight * float(seen * b.night * environment.moon.brightness) * environment.sun.irradiance;
     b.moonLights = b.towardSun.y < down(3) && std::max({b.moonlight.x, b.moonlight.y, b.moonlight.z}) > 1e-4f;
@@ -61,9 +62,9 @@ glsl::Heavens heavensOf(const io::Environment& environment, const Bodies& b)
     h.moonRadius = glm::radians(std::max(environment.moon.angularDiameter, 0.01f)) / 2;
     h.moonLitFrom = glm::vec3{b.moon.litFrom};
     h.moonRadiance = environment.sun.irradiance * float(kMoonReflects / std::numbers::pi * (1 + 4 * b.night) * std::min(environment.moon.brightness, 4.0f));
-    h.stars = environment.sky.stars * kStar * float(b.night);
+    h.stars = environment.sky.stars * kStar * float(b.glow);
     h.milkyWay = environment.sky.stars * kDeepest * float(b.deepNight);
-    h.glow = kGlow * (float(b.night) + 0.8f * moonInSky(b));
+    h.glow = kGlow * float(b.glow) * (1 + 0.8f * moonInSky(b));
     h.glowOverhead = kGlowOverhead * float(b.deepNight) * (1 + 2 * moonInSky(b));
     const glm::dmat3 rows = glm::transpose(io::equatorFromWorld(environment));
     for (int i = 0; i < 3; ++i)

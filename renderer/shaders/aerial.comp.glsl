@@ -1,6 +1,6 @@
 // Table: the light that the air scatters before things at 32 distances, in all directions around the eye. One thread a
 // direction; it goes on from each distance to the next. The planet's ground does not end a ray: worlds are flat, and what lies
-// in a valley is seen through air of sea level. In the last slice the air ends where the sky's does.
+// in a valley is seen through air of sea level. The last slice is all of the air above the horizon: the sky itself.
 #include "air_light.glsl"
 #include "heavens.glsl"
 
@@ -15,6 +15,7 @@ void main()
     float muView = place.x;
     float muSun = heavens.towardSun.y;
     float nu = muView * muSun + sqrt(max((1.0 - muView * muView) * (1.0 - muSun * muSun), 0.0)) * place.y;
+    bool up = muView >= horizonCosine(air, air.eyeAltitude);
     float top = distanceToTop(air, air.eyeAltitude, muView);
     float phaseRayleigh = rayleighPhase(nu);
     float phaseMie = miePhase(air.mieG, nu);
@@ -24,10 +25,10 @@ void main()
     vec3 through = vec3(1.0);
     imageStore(aerial, ivec3(texel, 0), vec4(0.0));
     for (int slice = 1; slice < AERIAL_SIZE; ++slice) {
-        float from = aerialDistance(float(slice - 1));
-        float to = slice == AERIAL_SIZE - 1 ? max(top, from) : min(aerialDistance(float(slice)), top);
-        int steps = slice == AERIAL_SIZE - 1 && muView >= air.horizon ? 12 : 2;
-        steps = to > from && !(slice == AERIAL_SIZE - 1 && muView < air.horizon) ? steps : 0;
+        bool last = slice == AERIAL_SIZE - 1;
+        float from = min(aerialDistance(float(slice - 1)), top);
+        float to = last && up ? top : min(aerialDistance(float(slice)), top);
+        int steps = to <= from ? 0 : last && up ? 12 : 2;
         for (int i = 0; i < steps; ++i) {
             float dt = (to - from) / float(steps);
             float t = from + (float(i) + 0.5) * dt;

@@ -99,7 +99,7 @@ glm::dvec3 pictureTowards(const Row& row, const io::Environment& environment, co
     world.scene.exchange(environment);
     test::shared().update(world.scene, world.assets, {.environment = true});
     const io::Camera camera{.eye = {0, row.altitude, 0}, .yaw = float(-row.azimuth), .pitch = float(90 - row.viewZenith), .fov = 2};
-    renderer::FrameInput in = test::frame({8, 8}, camera);
+    renderer::FrameInput in = test::frame({9, 9}, camera);
     in.settings = settings;
     test::shared().render(in);
     return glm::dvec3{test::shared().readRadiance().row<glm::vec3>(4)[4]};
@@ -172,7 +172,6 @@ TEST(Sky, IntegralOfThePictureIsTheFirstOrder)
         io::Environment environment = test::plainEnvironment(0, float(90 - row.sunZenith));
         environment.sky.groundAlbedo = 0;
         const glm::dvec3 got = pictureTowards(row, environment, {.sky = renderer::SkyFrom::Integral});
-        if (row.sunZenith > 94) continue; // fewer than the digits of a half float
         for (int c = 0; c < 3; ++c)
             EXPECT_NEAR(got[c], row.value[c], (row.sunZenith > 90 ? 0.03 : 0.02) * row.value[c] + 3e-7) << words(row) << " channel " << c;
     }
@@ -356,8 +355,8 @@ test::TestWorld wall(double metres, const glm::vec4& colour)
 TEST(Sky, AirBeforeThingsAgreesWithTheSky)
 {
     constexpr double kMetres = 2560;
-    io::Environment environment = test::plainEnvironment(150, 25);
-    environment.shadows.distance = 10;
+    io::Environment environment = test::plainEnvironment(20, 25);
+    environment.sky.ambient = 0; // and the sun is behind: the wall is black
     for (const float pitch : {4.0f, 12.0f, 30.0f})
         for (const float yaw : {0.0f, 60.0f}) {
             const io::Camera camera{.eye = {0, 2, 0}, .yaw = yaw, .pitch = pitch, .fov = 2};
@@ -365,7 +364,7 @@ TEST(Sky, AirBeforeThingsAgreesWithTheSky)
                 environment.sky.aerial = aerial;
                 world.scene.exchange(environment);
                 test::load(world);
-                test::shared().render(test::frame({8, 8}, camera));
+                test::shared().render(test::frame({9, 9}, camera));
                 return glm::dvec3{test::shared().readRadiance().row<glm::vec3>(4)[4]};
             };
             const glm::dvec3 sky = seen({}, 1);
@@ -388,7 +387,7 @@ TEST(Sky, AirBeforeThingsAgreesWithTheSky)
         test::load(world);
         io::Camera camera = close;
         camera.eye.y = 0;
-        test::shared().render(test::frame({8, 8}, camera));
+        test::shared().render(test::frame({9, 9}, camera));
         return glm::dvec3{test::shared().readRadiance().row<glm::vec3>(4)[4]};
     };
     const glm::dvec3 added = glm::abs(near(1) - near(0));
@@ -409,7 +408,7 @@ TEST(Sky, LightOnLevelGroundIsTheReferences)
             environment.sky.ambient = ambient;
             world.scene.exchange(environment);
             test::load(world);
-            renderer::FrameInput in = test::frame({8, 8}, {.eye = {3, 3, 0}, .pitch = -89.9f, .fov = 2});
+            renderer::FrameInput in = test::frame({9, 9}, {.eye = {3, 3, 0}, .pitch = -89.9f, .fov = 2});
             in.settings.ao = false;
             test::shared().render(in);
             return glm::dvec3{test::shared().readRadiance().row<glm::vec3>(4)[4]};

@@ -11,7 +11,7 @@ SHARED_BEGIN
 #define MULTI_SCATTER_WIDTH 64  // sun
 #define MULTI_SCATTER_HEIGHT 33 // altitude, and one row more: what the ground receives of the sky
 #define AERIAL_SIZE 32          // azimuths, elevations and distances
-#define AERIAL_REACH 128.0f     // km, of the last but one distance; the last is the end of the air
+#define AERIAL_REACH 128.0f     // km: from there on, things have become the sky behind them
 #define SKY_VIEW_WIDTH 192
 #define SKY_VIEW_HEIGHT 144
 
@@ -222,13 +222,13 @@ SHARED_FUNCTION vec2 aerialTexel(vec2 pixel)
 
 SHARED_FUNCTION float aerialDistance(float slice) // km
 {
-    float s = slice / float(AERIAL_SIZE - 2);
+    float s = slice / float(AERIAL_SIZE - 1);
     return AERIAL_REACH * s * s;
 }
 
 SHARED_FUNCTION float aerialSlice(float distance_) // km
 {
-    return min(float(AERIAL_SIZE - 2) * sqrt(distance_ / AERIAL_REACH), float(AERIAL_SIZE - 1));
+    return float(AERIAL_SIZE - 1) * sqrt(min(distance_ / AERIAL_REACH, 1.0f));
 }
 
 SHARED_END
