@@ -4,6 +4,7 @@
 #include "renderer/wind.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace renderer {
 namespace {
@@ -11,6 +12,15 @@ namespace {
 constexpr int kLargestSide = 16384;      // pixels; every OpenGL 4.5 has textures of that size
 constexpr double kSmallestPixels = 0.6; // diameter under which an object is left out
 constexpr double kLeastSway = 0.5;      // pixels
+
+// EV that eyes used to the dark add to the exposure by hand, from a sun 7 degrees high to 7 below the horizon: light falls by
+// a factor of a thousand there, and no exposure shows both ends.
+float usedToTheDark(const glm::dvec3& towardSun)
+{
+    constexpr double kMost = 4; // EV
+    const double height = std::sin(glm::radians(7.0));
+    return float(kMost * glm::smoothstep(height, -height, towardSun.y));
+}
 
 bool needsLight(Show show) // or only what surfaces are
 {
@@ -83,6 +93,7 @@ Viewpoint Renderer::State::look(const FrameInput& in) const
     v.towardSun = v.bodies.towardLight();
     v.heavens = heavensOf(environment, v.bodies);
     v.wind = windOf(environment.wind, in.settings.wind, v.eye.position, in.time);
+    if (!environment.autoExposure.on) environment.exposure += usedToTheDark(v.bodies.towardSun);
     v.view = viewBlock(v.eye, v.eye.clipFromRelative, in.time, environment.exposure);
     const bool sunUp = v.towardSun.y > -0.02;
     if (in.settings.shadows && sunUp) v.cascades = cascadesOf(v.eye, environment.shadows, v.towardSun);

@@ -7,13 +7,14 @@
 namespace renderer {
 namespace {
 
-constexpr glm::vec3 kMoonlight{0.036f, 0.046f, 0.064f};    // of a full moon: bluer than it is, as eyes find it
-constexpr glm::vec3 kGlow{0.0016f, 0.0026f, 0.0050f};      // of the sky at the horizon
-constexpr glm::vec3 kGlowOverhead{0.00025f, 0.00042f, 0.0009f};
-constexpr glm::vec3 kOnSurfaces{0.0011f, 0.0018f, 0.0034f};
-constexpr float kMoonReflects = 0.12f;  // geometric albedo
-constexpr float kDeepest = 0.0005f;     // radiance of the milky way
-constexpr float kStar = 0.35f;          // radiance of the brightest, over a pixel
+// Of a full moon, bluer than it is, as eyes find it; of the sky at the horizon and overhead; from all around on surfaces.
+constexpr glm::vec3 kMoonlight{0.0056f, 0.0070f, 0.0096f};
+constexpr glm::vec3 kGlow{0.00010f, 0.00016f, 0.00031f};
+constexpr glm::vec3 kGlowOverhead{0.000018f, 0.00003f, 0.000062f};
+constexpr glm::vec3 kOnSurfaces{0.00014f, 0.00020f, 0.00034f};
+constexpr float kMoonReflects = 0.12f; // geometric albedo
+constexpr float kMilkyWay = 0.00005f;  // radiance
+constexpr float kStar = 0.03f;         // radiance of the brightest, over a pixel
 
 double down(double degrees)
 {
@@ -39,12 +40,13 @@ Bodies bodiesOf(const io::Environment& environment)
     Bodies b;
     b.towardSun = io::towardSun(environment);
     b.moon = io::moonOf(environment);
-    b.night = glm::smoothstep(down(5), down(14), b.towardSun.y);
-    b.glow = glm::smoothstep(down(8), down(15), b.towardSun.y);
+    b.night = glm::smoothstep(down(0), down(8), b.towardSun.y);
+    b.glow = glm::smoothstep(down(6), down(13), b.towardSun.y);
     b.deepNight = glm::smoothstep(down(18.1), down(22), b.towardSun.y);
-    const double seen = moonPhaseLight(b.moon.phase) * glm::smoothstep(-0.01, 0.03, b.moon.toward.y);
-    b.moonlight = kMoonlight * float(seen * b.night * environment.moon.brightness) * environment.sun.irradiance;
-    b.moonLights = b.towardSun.y < down(3) && std::max({b.moonlight.x, b.moonlight.y, b.moonlight.z}) > 1e-4f;
+    const double dark = glm::smoothstep(down(3), down(9), b.towardSun.y);
+    const double seen = dark * moonPhaseLight(b.moon.phase) * glm::smoothstep(-0.01, 0.03, b.moon.toward.y);
+    b.moonlight = kMoonlight * float(seen * environment.moon.brightness) * environment.sun.irradiance;
+    b.moonLights = b.towardSun.y < down(3) && std::max({b.moonlight.x, b.moonlight.y, b.moonlight.z}) > 1e-5f;
     return b;
 }
 
@@ -61,9 +63,9 @@ glsl::Heavens heavensOf(const io::Environment& environment, const Bodies& b)
     h.towardMoon = glm::vec3{b.moon.toward};
     h.moonRadius = glm::radians(std::max(environment.moon.angularDiameter, 0.01f)) / 2;
     h.moonLitFrom = glm::vec3{b.moon.litFrom};
-    h.moonRadiance = environment.sun.irradiance * float(kMoonReflects / std::numbers::pi * (1 + 4 * b.night) * std::min(environment.moon.brightness, 4.0f));
+    h.moonRadiance = environment.sun.irradiance * float(kMoonReflects / std::numbers::pi * (1 - 0.6 * b.night) * std::min(environment.moon.brightness, 4.0f));
     h.stars = environment.sky.stars * kStar * float(b.glow);
-    h.milkyWay = environment.sky.stars * kDeepest * float(b.deepNight);
+    h.milkyWay = environment.sky.stars * kMilkyWay * float(b.deepNight);
     h.glow = kGlow * float(b.glow) * (1 + 0.8f * moonInSky(b));
     h.glowOverhead = kGlowOverhead * float(b.deepNight) * (1 + 2 * moonInSky(b));
     const glm::dmat3 rows = glm::transpose(io::equatorFromWorld(environment));

@@ -45,9 +45,9 @@ vec3 stars(vec3 direction)
     float chance = float(h & 0xffffu) / 65535.0; // small: a star, and the smaller the brighter
     float wanted = 0.11 + 0.25 * thick.x;
     float share = clamp(chance / wanted, 1e-4, 1.0);
-    vec2 centre = cell + 0.25 + 0.5 * vec2(g & 0xffu, (g >> 8) & 0xffu) / 255.0;
-    // A star is a spot of about a pixel; an angle is so many cells there.
+    // A star is a spot of about a pixel that lies within its cell; an angle is so many cells there.
     float reach = clamp(1.4 * view.pixelAngle * kCells / 1.5, 0.08, 0.5);
+    vec2 centre = cell + reach + (1.0 - 2.0 * reach) * vec2(g & 0xffu, (g >> 8) & 0xffu) / 255.0;
     float glow = max(1.0 - length(place - centre) / reach, 0.0);
     float bright = min(0.0045 * pow(share, -0.75), 1.0) * step(chance, wanted);
     vec3 tint = mix(vec3(1.0, 0.82, 0.64), vec3(0.72, 0.84, 1.0), float((g >> 16) & 0xffu) / 255.0);
