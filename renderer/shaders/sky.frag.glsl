@@ -103,7 +103,8 @@ vec4 domeTowards(vec3 direction)
 
     // Haze over the sky has the sky's own colour: it hides sun and clouds. Below the horizon the ray ends on the
     // planet's ground.
-    float reach = direction.y < 0.0 ? min(light.atmosphere.eyeAltitude * 1000.0 / -direction.y, 1e5) : 1e6;
+    float reach = direction.y < 0.0 ? min(light.atmosphere.eyeAltitude * 1000.0 / -direction.y, 1e5)
+                                    : min(50.0 * light.fogHeight / max(direction.y, 1e-5), 1e6); // above 50 of its heights there is none
     vec3 level = skyView(azimuth, max(asin(clamp(direction.y, -1.0, 1.0)), 0.0)) * light.sunAbove + nightSky(max(direction.y, 0.0));
     float through = light.fogDensity > 0.0 ? fogTransmittance(direction * reach) : 1.0;
     return mix(vec4(level * light.fogTint, 0.0), colour, through);

@@ -49,8 +49,8 @@ vec3 stars(vec3 direction)
     float reach = clamp(1.4 * view.pixelAngle * kCells / 1.5, 0.08, 0.5);
     vec2 centre = cell + reach + (1.0 - 2.0 * reach) * vec2(g & 0xffu, (g >> 8) & 0xffu) / 255.0;
     float glow = max(1.0 - length(place - centre) / reach, 0.0);
-    float bright = min(0.0045 * pow(share, -0.75), 1.0) * step(chance, wanted);
+    float bright = min(0.0045 * pow(share, -0.75), 0.3) * step(chance, wanted);
     vec3 tint = mix(vec3(1.0, 0.82, 0.64), vec3(0.72, 0.84, 1.0), float((g >> 16) & 0xffu) / 255.0);
     float above = smoothstep(0.0, 0.25, direction.y); // the air takes the light of those low down
-    return (tint * (bright * glow * glow * heavens.stars) + vec3(0.82, 0.88, 1.0) * (thick.y * heavens.milkyWay)) * above;
+    return (tint * (bright * glow * glow * glow * heavens.stars) + vec3(0.82, 0.88, 1.0) * (thick.y * heavens.milkyWay)) * above;
 }
