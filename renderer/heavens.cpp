@@ -13,7 +13,7 @@ constexpr glm::vec3 kGlow{0.00010f, 0.00016f, 0.00031f};
 constexpr glm::vec3 kGlowOverhead{0.000018f, 0.00003f, 0.000062f};
 constexpr glm::vec3 kOnSurfaces{0.00014f, 0.00020f, 0.00034f};
 constexpr float kMoonReflects = 0.12f; // geometric albedo
-constexpr float kMilkyWay = 0.00012f;  // radiance
+constexpr float kMilkyWay = 0.00022f;  // radiance
 constexpr float kStar = 0.05f;         // radiance; the brightest have a third of it
 
 double down(double degrees)

@@ -48,7 +48,8 @@ vec3 stars(vec3 direction)
     // A star is a spot of about a pixel that lies within its cell; an angle is so many cells there.
     float reach = clamp(1.4 * view.pixelAngle * kCells / 1.5, 0.08, 0.5);
     vec2 centre = cell + reach + (1.0 - 2.0 * reach) * vec2(g & 0xffu, (g >> 8) & 0xffu) / 255.0;
-    float glow = max(1.0 - length(place - centre) / reach, 0.0);
+    float away = length(d - fromOctahedral(centre / kCells)); // in angle: the octahedron's cells are no squares
+    float glow = max(1.0 - away / (1.4 * view.pixelAngle), 0.0);
     float bright = min(0.0045 * pow(share, -0.75), 0.3) * step(chance, wanted);
     vec3 tint = mix(vec3(1.0, 0.82, 0.64), vec3(0.72, 0.84, 1.0), float((g >> 16) & 0xffu) / 255.0);
     float above = smoothstep(0.0, 0.25, direction.y); // the air takes the light of those low down
