@@ -5,6 +5,7 @@
 #include "renderer/wind.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace renderer {
 namespace {
@@ -12,6 +13,15 @@ namespace {
 constexpr int kLargestSide = 16384;      // pixels; every OpenGL 4.5 has textures of that size
 constexpr double kSmallestPixels = 0.6; // diameter under which an object is left out
 constexpr double kLeastSway = 0.5;      // pixels
+
+// EV that eyes used to the dark add to the exposure by hand, from a sun 7 degrees high to 7 below the horizon: light falls by
+// a factor of a thousand there, and no exposure shows both ends.
+float usedToTheDark(const glm::dvec3& towardSun)
+{
+    constexpr double kMost = 4; // EV
+    const double height = std::sin(glm::radians(7.0));
+    return float(kMost * glm::smoothstep(height, -height, towardSun.y));
+}
 
 bool needsLight(Show show) // or only what surfaces are
 {
@@ -37,7 +47,7 @@ Picture Renderer::State::render(const FrameInput& in)
     shaders.reloadIfDue();
     GpuFrame gpu{stream, timers, stats, empty};
     const io::Environment& environment = in.environment ? *in.environment : scenery.environment;
-    scenery.groundShadow.update(scenery.terrain.heights(), io::towardSun(environment));
+    scenery.groundShadow.update(scenery.terrain.heights(), bodiesOf(environment).towardLight());
     if (!in.freezeCulling) frozen.reset();
     const Viewpoint viewpoint = look(in, environment);
     canvas.resize("picture", viewpoint.eye.size);
@@ -48,8 +58,9 @@ Picture Renderer::State::render(const FrameInput& in)
     gpu.constants(VIEW_BINDING, viewpoint.view);
     gpu.constants(LIGHT_BINDING, viewpoint.light);
     gpu.constants(SHADOWS_BINDING, viewpoint.shadows);
+    gpu.constants(HEAVENS_BINDING, viewpoint.heavens);
 
-    skyTables.update(gpu, viewpoint.light);
+    skyTables.update(gpu, viewpoint.light, viewpoint.heavens);
     scenery.terrain.aim(viewpoint.eye, viewpoint.culledFor, in.settings.lod ? in.settings.lodPixels : 1.0f);
     lamps.render(gpu, scenery, viewpoint, in.settings);
     shadow.render(gpu, scenery, viewpoint, in.settings);
@@ -83,14 +94,18 @@ Viewpoint Renderer::State::look(const FrameInput& in, io::Environment environmen
     v.eye = eyeOf(in.camera, glm::clamp(in.size, 1, kLargestSide));
     v.culledFor = frozen ? frozen->eye : v.eye;
     v.frozen = frozen.has_value();
-    v.towardSun = io::towardSun(environment);
+    v.bodies = bodiesOf(environment);
+    v.towardSun = v.bodies.towardLight();
+    v.heavens = heavensOf(environment, v.bodies);
     v.wind = windOf(environment.wind, in.settings.wind, v.eye.position, in.time);
+    if (!environment.autoExposure.on) environment.exposure += usedToTheDark(v.bodies.towardSun);
     v.view = viewBlock(v.eye, v.eye.clipFromRelative, in.time, environment.exposure);
     v.occlusion = environment.occlusion;
     if (in.settings.lamps) v.lamps = scenery.lamps.inView(v.eye, MOST_LAMPS);
     v.light = lightOf({.environment = environment,
                        .settings = in.settings,
                        .eye = v.eye,
+                       .bodies = v.bodies,
                        .time = in.time,
                        .groundShadow = scenery.groundShadow.placement(v.eye.position)});
     const bool sunUp = v.towardSun.y > -0.02;

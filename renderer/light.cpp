@@ -10,11 +10,15 @@ namespace {
 constexpr double kCloudTile = 11000.0; // m, as in clouds.glsl
 constexpr double kCloudPeriod = kCloudTile * 100; // a whole number of repeats of every octave, nearly
 
-// Stars and airglow: enough to see shapes by, grown in while the sun sinks from 5 to 14 degrees below the horizon.
-glm::vec3 nightSky(double sunHeight)
+// A finite value within its range, whatever the scene says.
+float sane(float value, float low, float high, float otherwise)
 {
-    const double night = glm::smoothstep(-std::sin(glm::radians(5.0)), -std::sin(glm::radians(14.0)), sunHeight);
-    return glm::vec3{0.0021f, 0.0034f, 0.0064f} * float(night);
+    return std::isfinite(value) ? std::clamp(value, low, high) : otherwise;
+}
+
+glm::vec3 sane(const glm::vec3& value, float high, const glm::vec3& otherwise)
+{
+    return {sane(value.x, 0, high, otherwise.x), sane(value.y, 0, high, otherwise.y), sane(value.z, 0, high, otherwise.z)};
 }
 
 void addFog(glsl::Light& light, const io::Fog& fog, bool on, double eyeHeight)
@@ -55,49 +59,65 @@ void addClouds(glsl::Light& light, const io::Clouds& clouds, bool on, const Eye&
 
 } // namespace
 
+namespace {
+
+// km, at least a metre above the ground and within the air
+float altitudeOf(const glsl::Atmosphere& air, double height)
+{
+    const double metres = std::isfinite(height) ? height : 0.0;
+    return float(std::clamp(metres * 1e-3, 1e-3, 0.98 * double(air.airDepth)));
+}
+
+} // namespace
+
 glsl::Atmosphere atmosphereOf(const io::Sky& sky, double eyeHeight)
 {
     constexpr float kPerKm = 1e-3f; // from 1e-6 per m
+    constexpr float kThickest = 1000; // 1e-6 per m
+    const io::Sky usual;
     glsl::Atmosphere air{};
-    air.rayleigh = sky.rayleigh * kPerKm;
-    air.rayleighHeight = std::max(sky.rayleighHeight, 1.0f) * 1e-3f;
-    air.ozone = sky.ozone * kPerKm;
-    air.mieHeight = std::max(sky.mieHeight, 1.0f) * 1e-3f;
-    air.mieScattering = sky.mieScattering * kPerKm;
-    air.mieExtinction = std::max(sky.mieExtinction, sky.mieScattering) * kPerKm;
-    air.mieG = sky.mieG;
-    air.groundAlbedo = sky.groundAlbedo;
-    air.eyeAltitude = float(std::clamp(eyeHeight, 1.0, 60000.0) * 1e-3);
-    air.horizon = std::asin(glsl::horizonCosine(air.eyeAltitude));
+    air.groundRadius = sane(sky.planetRadius, 100, 1e5f, usual.planetRadius);
+    air.airDepth = sane(sky.airDepth, 10, 1000, usual.airDepth);
+    air.rayleigh = sane(sky.rayleigh, kThickest, usual.rayleigh) * kPerKm;
+    air.rayleighHeight = sane(sky.rayleighHeight, 100, 1e5f, usual.rayleighHeight) * 1e-3f;
+    air.ozone = sane(sky.ozone, kThickest, usual.ozone) * kPerKm;
+    air.mieHeight = sane(sky.mieHeight, 50, 1e5f, usual.mieHeight) * 1e-3f;
+    air.mieScattering = sane(sky.mieScattering, 0, kThickest, usual.mieScattering) * kPerKm;
+    air.mieExtinction = std::max(sane(sky.mieExtinction, 0, kThickest, usual.mieExtinction) * kPerKm, air.mieScattering);
+    air.mieG = sane(sky.mieG, -0.99f, 0.99f, usual.mieG);
+    air.groundAlbedo = sane(sky.groundAlbedo, 0, 1, usual.groundAlbedo);
+    air.eyeAltitude = altitudeOf(air, eyeHeight);
+    air.horizon = std::asin(glsl::horizonCosine(air, air.eyeAltitude));
     return air;
 }
 
 glm::vec3 sunThrough(const glsl::Atmosphere& air, double height, const glm::dvec3& towardSun, double sunRadius)
 {
-    const auto altitude = float(std::clamp(height, 1.0, 60000.0) * 1e-3);
+    const float altitude = altitudeOf(air, height);
     const auto mu = float(towardSun.y);
-    const float seen = glsl::sunAboveHorizon(altitude, mu, float(sunRadius));
+    const float seen = glsl::sunAboveHorizon(air, altitude, mu, float(sunRadius));
     if (seen <= 0) return glm::vec3{0};
-    return glsl::integrateTransmittance(air, altitude, std::max(mu, glsl::horizonCosine(altitude)), 64) * seen;
+    return glsl::integrateTransmittance(air, altitude, std::max(mu, glsl::horizonCosine(air, altitude)), 64) * seen;
 }
 
 glsl::Light lightOf(const LightInput& input)
 {
     const io::Environment& e = input.environment;
-    const glm::dvec3 towardSun = io::towardSun(e);
+    const glm::dvec3 toward = input.bodies.towardLight();
     const double radius = glm::radians(std::max(double(e.sun.angularDiameter), 0.01)) / 2;
     const double eyeHeight = input.eye.position.y;
 
     glsl::Light light{};
     light.atmosphere = atmosphereOf(e.sky, eyeHeight);
-    light.towardSun = glm::vec3{towardSun};
+    light.towardSun = glm::vec3{toward};
     light.ambient = e.sky.ambient;
     light.sunAbove = e.sun.irradiance;
-    light.sunIrradiance = e.sun.irradiance * sunThrough(light.atmosphere, eyeHeight, towardSun, radius);
-    light.sunAtClouds = e.sun.irradiance * sunThrough(light.atmosphere, e.clouds.altitude, towardSun, radius);
+    const glm::vec3 above = input.bodies.moonLights ? input.bodies.moonlight : e.sun.irradiance;
+    light.sunIrradiance = above * sunThrough(light.atmosphere, eyeHeight, toward, radius);
+    light.sunAtClouds = above * sunThrough(light.atmosphere, e.clouds.altitude, toward, radius);
     light.sunRadius = float(radius);
     light.sunSolidAngle = float(4 * std::numbers::pi * std::pow(std::sin(radius / 2), 2));
-    light.skyFloor = nightSky(towardSun.y);
+    light.skyFloor = nightOnSurfaces(input.bodies);
     light.groundShadow = input.groundShadow;
     addFog(light, e.fog, input.settings.fog, eyeHeight);
     addClouds(light, e.clouds, input.settings.clouds, input.eye, input.time);

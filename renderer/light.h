@@ -3,6 +3,7 @@
 
 #include "io/scene/environment.h"
 #include "renderer/eye.h"
+#include "renderer/heavens.h"
 #include "renderer/settings.h"
 #include "renderer/shaders/shared/light.h"
 
@@ -17,6 +18,7 @@ struct LightInput {
     const io::Environment& environment;
     const Settings& settings;
     const Eye& eye;
+    const Bodies& bodies;
     double time = 0; // s, moves clouds
     glm::vec4 groundShadow{0}; // where its texture lies
 };

@@ -4,6 +4,7 @@
 #include "io/scene/environment.h"
 #include "renderer/eye.h"
 #include "renderer/ground_shadow.h"
+#include "renderer/heavens.h"
 #include "renderer/lamps.h"
 #include "renderer/light.h"
 #include "renderer/shadow_constants.h"
@@ -26,7 +27,8 @@ struct Viewpoint {
     Eye eye;
     Eye culledFor; // whose culling and levels of detail are drawn: the eye itself, but while they are frozen
     bool frozen = false;
-    glm::dvec3 towardSun{0, 1, 0};
+    Bodies bodies;
+    glm::dvec3 towardSun{0, 1, 0}; // or towards the moon, where that lights
     std::vector<Cascade> cascades; // empty: no shadows
     std::vector<Lamp> lamps;       // in view, brightest first; empty: none, or switched off
     glsl::View view;
@@ -35,6 +37,7 @@ struct Viewpoint {
     glsl::Light light;
     glsl::Shadows shadows;
     io::Occlusion occlusion;
+    glsl::Heavens heavens;
 };
 
 } // namespace renderer

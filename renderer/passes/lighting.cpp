@@ -18,12 +18,13 @@ std::vector<std::string> lightingDefines(const Viewpoint& viewpoint, const Setti
     if (settings.shading == Shading::BlinnPhong) defines.emplace_back("BLINN_PHONG");
     if (viewpoint.light.cloudsOn > 0) defines.emplace_back("CLOUD_SHADOWS");
     if (!viewpoint.lamps.empty()) defines.emplace_back("LAMPS");
+    if (viewpoint.heavens.aerial > 0) defines.emplace_back("AERIAL");
     return defines;
 }
 
 LightingPass::LightingPass(ShaderLibrary& shaders) : m_shaders{shaders}
 {
-    shaders.fullScreen("lighting", {"SHADOWS", "SHADOW_TAPS 2", "CLOUD_SHADOWS", "FOG"});
+    shaders.fullScreen("lighting", {"SHADOWS", "SHADOW_TAPS 2", "CLOUD_SHADOWS", "AERIAL", "FOG"});
 }
 
 void LightingPass::resize(const GBuffer& surfaces)
@@ -67,12 +68,14 @@ void SkyPass::render(GpuFrame& gpu, Radiance& radiance, const Viewpoint& viewpoi
     const auto scope = gpu.scope("sky");
     std::vector<std::string> defines;
     if (viewpoint.light.cloudsOn > 0) defines.emplace_back("CLOUDS");
+    if (settings.sky == SkyFrom::Integral) defines.emplace_back("INTEGRAL");
     const bool coarse = settings.skyPixels > 1;
     if (coarse) {
         renderDome(gpu, (radiance.texture.size() + settings.skyPixels - 1) / settings.skyPixels, defines);
         defines = {"FROM_DOME"};
     }
-    if (viewpoint.light.skyFloor.g > 0) defines.emplace_back("STARS");
+    if (viewpoint.heavens.stars > 0) defines.emplace_back("STARS");
+    if (viewpoint.heavens.towardMoon.y > -0.1f) defines.emplace_back("MOON");
     radiance.framebuffer.bind();
     gpu.fullScreen(m_shaders.fullScreen("sky", std::move(defines)), {.depthTest = kWhereSkyIs},
                    {{IMAGE_UNIT, coarse ? &m_dome.texture : nullptr}});

@@ -2,6 +2,7 @@
 
 #include "renderer/pixels.h"
 #include "renderer/shaders/shared/bindings.h"
+#include "renderer/shaders/shared/sky_mirror.h"
 
 #include <cmath>
 #include <cstring>
@@ -10,6 +11,7 @@ namespace renderer {
 namespace {
 
 constexpr int kNoiseSize = 512;
+constexpr glm::ivec2 kMultiScatter{MULTI_SCATTER_WIDTH, MULTI_SCATTER_HEIGHT};
 
 // The eye's height has no part in the tables of the air itself.
 bool sameAir(glsl::Atmosphere a, glsl::Atmosphere b)
@@ -35,13 +37,18 @@ SkyTables::Target SkyTables::makeTarget(std::string_view label, glm::ivec2 size)
 }
 
 SkyTables::SkyTables(ShaderLibrary& shaders)
-    : m_transmittanceProgram{shaders.fullScreen("transmittance")}, m_multiScatterProgram{shaders.fullScreen("multi_scatter")},
-      m_skyViewProgram{shaders.fullScreen("sky_view")},
+    : m_transmittanceProgram{shaders.fullScreen("transmittance")}, m_scatterOnceProgram{shaders.fullScreen("multi_scatter")},
+      m_multiScatterProgram{shaders.fullScreen("multi_scatter", {"FROM_TABLE"})}, m_skyViewProgram{shaders.fullScreen("sky_view")},
+      m_skyMirrorProgram{shaders.fullScreen("sky_mirror")},
+      m_aerialProgram{shaders.program({.label = "aerial", .stages = {"aerial.comp.glsl"}})},
       m_skyLightProgram{shaders.program({.label = "sky_light", .stages = {"sky_light.comp.glsl"}})},
       m_noiseProgram{shaders.fullScreen("noise")}, m_cloudMapProgram{shaders.fullScreen("cloud_map")},
       m_transmittance{makeTarget("transmittance", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT})},
-      m_multiScatter{makeTarget("multiple scattering", glm::ivec2{MULTI_SCATTER_SIZE})},
-      m_skyView{makeTarget("sky view", {SKY_VIEW_WIDTH, SKY_VIEW_HEIGHT})}, m_skyLight{"sky light", sizeof(glsl::SkyLight)}
+      m_scatteredOnce{makeTarget("light scattered once", kMultiScatter)}, m_multiScatter{makeTarget("multiple scattering", kMultiScatter)},
+      m_skyView{makeTarget("sky view", {SKY_VIEW_WIDTH, SKY_VIEW_HEIGHT})},
+      m_skyMirror{makeTarget("mirrored sky", {SKY_MIRROR_SIZE, SKY_MIRROR_SIZE * SKY_MIRROR_LEVELS})},
+      m_aerial{{.label = "air before things", .size = glm::ivec2{AERIAL_SIZE}, .layers = AERIAL_SIZE, .format = GL_RGBA16F, .target = true}},
+      m_skyLight{"sky light", sizeof(glsl::SkyLight)}
 {
     m_noise.texture = gl::Texture{{.label = "noise",
                                    .size = glm::ivec2{kNoiseSize},
@@ -52,16 +59,16 @@ SkyTables::SkyTables(ShaderLibrary& shaders)
     m_noise.framebuffer = gl::Framebuffer{{.label = "noise", .colours = {&m_noise.texture}}};
 }
 
-void SkyTables::update(GpuFrame& gpu, const glsl::Light& light)
+void SkyTables::update(GpuFrame& gpu, const glsl::Light& light, const glsl::Heavens& heavens)
 {
     const auto scope = gpu.scope("sky tables");
     if (!m_noiseMade) makeNoise(gpu);
     const bool air = !sameAir(light.atmosphere, m_air) || light.sunRadius != m_sunRadius;
     if (air) drawAirTables(gpu);
-    if (air || !sameHeight(light.atmosphere, m_air) || light.towardSun != m_towardSun) {
-        drawSkyView(gpu);
+    if (air || !sameHeight(light.atmosphere, m_air) || heavens.towardSun != m_towardSun) {
+        drawSky(gpu);
         m_air = light.atmosphere;
-        m_towardSun = light.towardSun;
+        m_towardSun = heavens.towardSun;
         m_sunRadius = light.sunRadius;
     }
     bind(gpu);
@@ -95,16 +102,27 @@ void SkyTables::drawAirTables(GpuFrame& gpu)
 {
     m_transmittance.framebuffer.bind();
     gpu.fullScreen(m_transmittanceProgram, {}, {});
+    m_scatteredOnce.framebuffer.bind();
+    gpu.fullScreen(m_scatterOnceProgram, {}, {{TRANSMITTANCE_UNIT, &m_transmittance.texture}});
     m_multiScatter.framebuffer.bind();
-    gpu.fullScreen(m_multiScatterProgram, {}, {{TRANSMITTANCE_UNIT, &m_transmittance.texture}});
+    gpu.fullScreen(m_multiScatterProgram, {},
+                   {{TRANSMITTANCE_UNIT, &m_transmittance.texture}, {MULTI_SCATTER_UNIT, &m_scatteredOnce.texture}});
 }
 
-void SkyTables::drawSkyView(GpuFrame& gpu)
+// What goes by the sun's place: the sky around the eye, what surfaces mirror of it, the air before things, the light on surfaces.
+void SkyTables::drawSky(GpuFrame& gpu)
 {
     m_skyView.framebuffer.bind();
     gpu.fullScreen(m_skyViewProgram, {},
                    {{TRANSMITTANCE_UNIT, &m_transmittance.texture}, {MULTI_SCATTER_UNIT, &m_multiScatter.texture}});
+    m_skyMirror.framebuffer.bind();
+    gpu.fullScreen(m_skyMirrorProgram, {}, {{SKY_VIEW_UNIT, &m_skyView.texture}});
     bind(gpu);
+    if (gpu.use(m_aerialProgram)) {
+        glBindImageTexture(0, m_aerial.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
+        glDispatchCompute(AERIAL_SIZE / 8, AERIAL_SIZE / 8, 1);
+        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    }
     if (!gpu.use(m_skyLightProgram)) return;
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SKY_LIGHT_STORAGE_BINDING, m_skyLight.id());
     glDispatchCompute(1, 1, 1);
@@ -116,6 +134,8 @@ void SkyTables::bind(GpuFrame& gpu) const
     gpu.bind({{SKY_VIEW_UNIT, &m_skyView.texture},
               {TRANSMITTANCE_UNIT, &m_transmittance.texture},
               {MULTI_SCATTER_UNIT, &m_multiScatter.texture},
+              {SKY_MIRROR_UNIT, &m_skyMirror.texture},
+              {AERIAL_UNIT, &m_aerial},
               {NOISE_UNIT, &m_noise.texture},
               {CLOUD_MAP_UNIT, &m_cloudMap.texture}});
     glBindBufferBase(GL_UNIFORM_BUFFER, SKY_LIGHT_BINDING, m_skyLight.id());

@@ -1,4 +1,5 @@
 // Objects that are blended over the picture: glass and the like, ghosts of what is being placed, thumbnails.
+#include "aerial.glsl"
 #include "fog.glsl"
 #include "lighting.glsl"
 #ifdef LAMPS
@@ -39,6 +40,7 @@ void main()
     alpha = 0.6;
 #endif
 #ifndef STUDIO
+    lit = throughAir(lit, relative);
     float through = fogTransmittance(relative);
     lit = lit * through + fogColour(normalize(relative), length(relative)) * (1.0 - through);
 #endif

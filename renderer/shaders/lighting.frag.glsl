@@ -1,4 +1,5 @@
 // Every surface of the GBuffer under sun and sky. Runs where the depth test finds one.
+#include "aerial.glsl"
 #include "fog.glsl"
 #include "gbuffer_in.glsl"
 #include "lighting.glsl"
@@ -52,6 +53,7 @@ void main()
     lit = emission > 0.0 ? lit * 0.25 + s.baseColour * emission : lit;
     lit = (s.bits & SURFACE_UNLIT) != 0u ? s.baseColour / view.exposure : lit; // shown as it is, whatever the light
     lit = (s.bits & SURFACE_SELECTED) != 0u ? tintSelected(lit) : lit;
+    lit = throughAir(lit, relative);
 #ifdef FOG
     float through = fogTransmittance(relative);
     lit = lit * through + fogColour(normalize(relative), length(relative)) * (1.0 - through);

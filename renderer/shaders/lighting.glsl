@@ -2,6 +2,7 @@
 #include "light.glsl"
 #include "shadows.glsl"
 #include "sky_light.glsl"
+#include "sky_mirror.glsl"
 #include "shared/brdf.h"
 #include "shared/gbuffer.h"
 #include "view.glsl"
@@ -66,7 +67,7 @@ vec3 shade(Surface s, Reflector r, vec3 toEye, float sun)
     vec3 ambientNormal = leaf ? normalize(s.normal + vec3(0.0, 0.6, 0.0)) : s.normal;
     vec3 mirrored = reflect(-toEye, s.normal);
     vec3 sky = r.diffuse * skyIrradiance(ambientNormal) * skySeen(s.occlusion, r.diffuse);
-    sky += skyIrradiance(mix(mirrored, s.normal, s.roughness)) * r.mirrored *
+    sky += skyMirrored(mirrored, s.normal, s.roughness) * r.mirrored *
            (lobeSeen(s.occlusion, r.nov, s.roughness) * (leaf ? 0.3 : 1.0));
     return surfaceLight(s, r, toEye, light.towardSun, 1.0 / light.sunSolidAngle) * light.sunIrradiance * sun + sky * light.ambient;
 }

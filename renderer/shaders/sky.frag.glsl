@@ -1,12 +1,20 @@
-// The sky where nothing stands before it: scattered light, the sun's disc, clouds. All but the disc and the stars is smooth:
-// it may be made at a lower resolution first (DOME) and looked up then (FROM_DOME).
+// The sky where nothing stands before it: scattered light, sun, moon and stars, clouds. All but those bodies is smooth: it may be
+// made at a lower resolution first (DOME) and looked up then (FROM_DOME).
 #include "clouds.glsl"
 #include "fog.glsl"
-#include "octahedron.glsl"
 #include "shared/bindings.h"
 #include "shared/atmosphere.h"
 #include "sky_tables.glsl"
 #include "view.glsl"
+#ifdef MOON
+#include "moon.glsl"
+#endif
+#ifdef STARS
+#include "stars.glsl"
+#endif
+#ifdef INTEGRAL
+#include "air_light.glsl"
+#endif
 
 layout(location = 0) in vec2 uv;
 layout(location = 1) in vec3 ray;
@@ -15,40 +23,25 @@ layout(location = 0) out vec4 radiance;
 layout(binding = IMAGE_UNIT) uniform sampler2D dome; // radiance; share of what stands behind that comes through
 #endif
 
+// What the air and the planet let through from outside.
+vec3 throughToSpace(vec3 direction)
+{
+    float altitude = light.atmosphere.eyeAltitude;
+    return transmittanceToSpace(altitude, direction.y) * step(horizonCosine(light.atmosphere, altitude), direction.y);
+}
+
 // The disc's mean radiance is its irradiance over its solid angle; the limb is darker (Hestroffer and Magnan 1998).
 vec3 sunDisc(vec3 direction)
 {
-    float angle = acos(clamp(dot(direction, light.towardSun), -1.0, 1.0));
+    float angle = acos(clamp(dot(direction, heavens.towardSun), -1.0, 1.0));
     float soft = view.pixelAngle * 0.75;
     float inside = 1.0 - smoothstep(light.sunRadius - soft, light.sunRadius + soft, angle);
     float r = clamp(angle / light.sunRadius, 0.0, 1.0);
     float mu = sqrt(1.0 - r * r);
     vec3 limb = pow(vec3(mu + 1e-3), vec3(0.397, 0.503, 0.652));
     vec3 mean = vec3(2.0) / (vec3(0.397, 0.503, 0.652) + 2.0);
-    float altitude = light.atmosphere.eyeAltitude;
-    vec3 through = transmittanceToSpace(altitude, direction.y) * step(horizonCosine(altitude), direction.y);
-    return light.sunAbove * through * limb / mean * (inside / light.sunSolidAngle);
+    return light.sunAbove * throughToSpace(direction) * limb / mean * (inside / light.sunSolidAngle);
 }
-
-#ifdef STARS
-// One star in some cells of a grid over the octahedron of directions.
-vec3 stars(vec3 direction)
-{
-    const float kCells = 170.0;
-    vec2 place = octahedral(direction.xzy) * kCells;
-    vec2 cell = floor(place);
-    uvec2 c = uvec2(ivec2(cell) + 4096);
-    uint h = (c.x * 0x8da6b343u) ^ (c.y * 0xd8163841u);
-    h = (h ^ (h >> 15)) * 0x2c1b3c6du;
-    h ^= h >> 13;
-    vec2 centre = cell + 0.15 + 0.7 * vec2(h & 0xffu, (h >> 8) & 0xffu) / 255.0;
-    float magnitude = float((h >> 16) & 0xffu) / 255.0;
-    float reach = 1.5 * view.pixelAngle * kCells / 1.57; // about a pixel
-    float glow = max(1.0 - length(place - centre) / max(reach, 0.05), 0.0);
-    vec3 tint = mix(vec3(1.0, 0.85, 0.7), vec3(0.75, 0.85, 1.0), float(h >> 24) / 255.0);
-    return tint * light.skyFloor.g * 60.0 * pow(magnitude, 14.0) * glow * smoothstep(0.0, 0.2, direction.y);
-}
-#endif
 
 #ifdef CLOUDS
 // Mixes the cloud layer over `sky`; the share of what is behind that comes through.
@@ -88,10 +81,21 @@ vec4 withClouds(vec3 sky, vec3 direction)
 #endif
 
 #ifndef FROM_DOME
+// The clear sky, per unit of sun irradiance.
+vec3 clearSky(vec3 direction, float azimuth)
+{
+#ifdef INTEGRAL // for comparison: the first order alone, integrated for each pixel
+    return skyAlong(light.atmosphere, light.atmosphere.eyeAltitude, direction.y, heavens.towardSun.y,
+                    dot(direction, heavens.towardSun), 0.0, 48);
+#else
+    return skyView(azimuth, asin(clamp(direction.y, -1.0, 1.0)));
+#endif
+}
+
 vec4 domeTowards(vec3 direction)
 {
     float azimuth = azimuthFromSun(direction);
-    vec3 sky = skyView(azimuth, asin(clamp(direction.y, -1.0, 1.0))) * light.sunAbove + nightSky(direction.y);
+    vec3 sky = clearSky(direction, azimuth) * light.sunAbove + nightSky(direction.y);
     vec4 colour = vec4(sky, 1.0);
 #ifdef CLOUDS
     if (direction.y > 0.0 && light.cloudAltitude > 0.0) colour = withClouds(sky, direction);
@@ -99,7 +103,8 @@ vec4 domeTowards(vec3 direction)
 
     // Haze over the sky has the sky's own colour: it hides sun and clouds. Below the horizon the ray ends on the
     // planet's ground.
-    float reach = direction.y < 0.0 ? min(light.atmosphere.eyeAltitude * 1000.0 / -direction.y, 1e5) : 1e6;
+    float reach = direction.y < 0.0 ? min(light.atmosphere.eyeAltitude * 1000.0 / -direction.y, 1e5)
+                                    : min(50.0 * light.fogHeight / max(direction.y, 1e-5), 1e6); // above 50 of its heights there is none
     vec3 level = skyView(azimuth, max(asin(clamp(direction.y, -1.0, 1.0)), 0.0)) * light.sunAbove + nightSky(max(direction.y, 0.0));
     float through = light.fogDensity > 0.0 ? fogTransmittance(direction * reach) : 1.0;
     return mix(vec4(level * light.fogTint, 0.0), colour, through);
@@ -117,10 +122,14 @@ void main()
 #ifdef DOME
     radiance = behind;
 #else
-    vec3 disc = sunDisc(direction);
+    vec3 bodies = sunDisc(direction);
 #ifdef STARS
-    disc += stars(direction);
+    bodies += stars(direction);
 #endif
-    radiance = vec4(min(behind.rgb + disc * behind.a, vec3(60000.0)), 1.0);
+#ifdef MOON
+    vec4 moon = moonDisc(direction);
+    bodies = mix(bodies, moon.rgb * throughToSpace(direction), moon.a);
+#endif
+    radiance = vec4(min(behind.rgb + bodies * behind.a, vec3(60000.0)), 1.0);
 #endif
 }

@@ -11,6 +11,6 @@ vec3 skyIrradiance(vec3 n)
           skyLight.irradiance[7].rgb * (n.x * n.z)) * 1.092548;
     e += skyLight.irradiance[6].rgb * (0.315392 * (3.0 * n.z * n.z - 1.0));
     e += skyLight.irradiance[8].rgb * (0.546274 * (n.x * n.x - n.y * n.y));
-    // By night the moon is thought of too: more light on the ground than stars alone would give.
+    // By night more than stars give: as an eye that is used to the dark sees it.
     return max(e, vec3(0.0)) * light.sunAbove + light.skyFloor * (2.2 + 1.4 * n.y);
 }

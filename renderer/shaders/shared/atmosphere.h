@@ -6,12 +6,12 @@
 #include "shared.h"
 SHARED_BEGIN
 
-#define GROUND_RADIUS 6360.0f // km
-#define AIR_DEPTH 100.0f      // km from the ground to the top of the air
-
 #define TRANSMITTANCE_WIDTH 256
 #define TRANSMITTANCE_HEIGHT 64
-#define MULTI_SCATTER_SIZE 32
+#define MULTI_SCATTER_WIDTH 64  // sun
+#define MULTI_SCATTER_HEIGHT 33 // altitude, and one row more: what the ground receives of the sky
+#define AERIAL_SIZE 32          // azimuths, elevations and distances
+#define AERIAL_REACH 128.0f     // km: from there on, things have become the sky behind them
 #define SKY_VIEW_WIDTH 192
 #define SKY_VIEW_HEIGHT 144
 
@@ -21,7 +21,7 @@ struct Atmosphere {
     float mieScattering; float mieExtinction; // at the ground, per km
     float mieG;         float groundAlbedo;
     float eyeAltitude;  float horizon;        // km above the ground, at least a metre; elevation of the horizon, radians
-    float unused1;      float unused2;
+    float groundRadius; float airDepth;       // km; from the ground to where there is none
 };
 SHARED_STRUCT_END(Atmosphere, 64)
 
@@ -44,44 +44,44 @@ SHARED_FUNCTION Medium mediumAt(Atmosphere air, float altitude)
 }
 
 // r^2 - ground^2 without the cancellation.
-SHARED_FUNCTION float aboveGroundSquared(float altitude)
+SHARED_FUNCTION float aboveGroundSquared(Atmosphere air, float altitude)
 {
-    return altitude * (2.0f * GROUND_RADIUS + altitude);
+    return altitude * (2.0f * air.groundRadius + altitude);
 }
 
 // Altitude after `t` km along a ray that leaves `altitude` at the cosine `mu` from the zenith.
-SHARED_FUNCTION float altitudeAlong(float altitude, float mu, float t)
+SHARED_FUNCTION float altitudeAlong(Atmosphere air, float altitude, float mu, float t)
 {
-    float r = GROUND_RADIUS + altitude;
+    float r = air.groundRadius + altitude;
     float gained = t * (2.0f * r * mu + t);
     return altitude + gained / (sqrt(max(r * r + gained, 0.0f)) + r);
 }
 
 // Cosine from the zenith after `t` km, of a direction whose cosine was `mu` (or of another one: `nu` between them).
-SHARED_FUNCTION float cosineAlong(float altitude, float muView, float muOther, float nu, float t)
+SHARED_FUNCTION float cosineAlong(Atmosphere air, float altitude, float muView, float muOther, float nu, float t)
 {
-    float r = GROUND_RADIUS + altitude;
-    float rt = GROUND_RADIUS + altitudeAlong(altitude, muView, t);
+    float r = air.groundRadius + altitude;
+    float rt = air.groundRadius + altitudeAlong(air, altitude, muView, t);
     return clamp((r * muOther + t * nu) / rt, -1.0f, 1.0f);
 }
 
-SHARED_FUNCTION float horizonCosine(float altitude)
+SHARED_FUNCTION float horizonCosine(Atmosphere air, float altitude)
 {
-    return -sqrt(aboveGroundSquared(altitude)) / (GROUND_RADIUS + altitude);
+    return -sqrt(aboveGroundSquared(air, altitude)) / (air.groundRadius + altitude);
 }
 
-SHARED_FUNCTION float distanceToTop(float altitude, float mu)
+SHARED_FUNCTION float distanceToTop(Atmosphere air, float altitude, float mu)
 {
-    float r = GROUND_RADIUS + altitude;
-    float rest = (AIR_DEPTH - altitude) * (2.0f * GROUND_RADIUS + AIR_DEPTH + altitude); // top^2 - r^2
+    float r = air.groundRadius + altitude;
+    float rest = (air.airDepth - altitude) * (2.0f * air.groundRadius + air.airDepth + altitude); // top^2 - r^2
     return max(0.0f, -r * mu + sqrt(max(r * r * mu * mu + rest, 0.0f)));
 }
 
 // Negative when the ray misses the ground.
-SHARED_FUNCTION float distanceToGround(float altitude, float mu)
+SHARED_FUNCTION float distanceToGround(Atmosphere air, float altitude, float mu)
 {
-    float r = GROUND_RADIUS + altitude;
-    float discriminant = r * r * mu * mu - aboveGroundSquared(altitude);
+    float r = air.groundRadius + altitude;
+    float discriminant = r * r * mu * mu - aboveGroundSquared(air, altitude);
     return mu >= 0.0f || discriminant < 0.0f ? -1.0f : -r * mu - sqrt(discriminant);
 }
 
@@ -101,14 +101,14 @@ SHARED_FUNCTION float miePhase(float g, float cosine)
 // Through the air from `altitude` to space, by the trapezoid rule on steps that grow with the square.
 SHARED_FUNCTION vec3 integrateTransmittance(Atmosphere air, float altitude, float mu, int steps)
 {
-    float end = distanceToTop(altitude, mu);
+    float end = distanceToTop(air, altitude, mu);
     vec3 depth = vec3(0.0f);
     float before = 0.0f;
     vec3 extinctionBefore = mediumAt(air, altitude).extinction;
     for (int i = 1; i <= steps; ++i) {
         float s = float(i) / float(steps);
         float t = end * s * s;
-        vec3 extinction = mediumAt(air, altitudeAlong(altitude, mu, t)).extinction;
+        vec3 extinction = mediumAt(air, altitudeAlong(air, altitude, mu, t)).extinction;
         depth += (extinction + extinctionBefore) * (0.5f * (t - before));
         before = t;
         extinctionBefore = extinction;
@@ -117,17 +117,17 @@ SHARED_FUNCTION vec3 integrateTransmittance(Atmosphere air, float altitude, floa
 }
 
 // Share of the sun's disc above the horizon that is seen from `altitude`.
-SHARED_FUNCTION float sunAboveHorizon(float altitude, float muSun, float sunRadius)
+SHARED_FUNCTION float sunAboveHorizon(Atmosphere air, float altitude, float muSun, float sunRadius)
 {
-    return smoothstep(-sunRadius, sunRadius, muSun - horizonCosine(altitude));
+    return smoothstep(-sunRadius, sunRadius, muSun - horizonCosine(air, altitude));
 }
 
-SHARED_FUNCTION vec2 transmittanceUv(float altitude, float mu)
+SHARED_FUNCTION vec2 transmittanceUv(Atmosphere air, float altitude, float mu)
 {
-    float toHorizon = sqrt(aboveGroundSquared(altitude));
-    float longest = sqrt(aboveGroundSquared(AIR_DEPTH));
-    float shortest = AIR_DEPTH - altitude;
-    float d = distanceToTop(altitude, mu);
+    float toHorizon = sqrt(aboveGroundSquared(air, altitude));
+    float longest = sqrt(aboveGroundSquared(air, air.airDepth));
+    float shortest = air.airDepth - altitude;
+    float d = distanceToTop(air, altitude, mu);
     float u = (d - shortest) / max(toHorizon + longest - shortest, 1e-4f);
     vec2 uv = vec2(clamp(u, 0.0f, 1.0f), toHorizon / longest);
     return (uv * vec2(TRANSMITTANCE_WIDTH - 1, TRANSMITTANCE_HEIGHT - 1) + 0.5f) /
@@ -135,32 +135,45 @@ SHARED_FUNCTION vec2 transmittanceUv(float altitude, float mu)
 }
 
 // The inverse: altitude and cosine of a texel of the transmittance table.
-SHARED_FUNCTION vec2 transmittanceTexel(vec2 pixel)
+SHARED_FUNCTION vec2 transmittanceTexel(Atmosphere air, vec2 pixel)
 {
     vec2 uv = (pixel - 0.5f) / vec2(TRANSMITTANCE_WIDTH - 1, TRANSMITTANCE_HEIGHT - 1);
-    float longest = sqrt(aboveGroundSquared(AIR_DEPTH));
+    float longest = sqrt(aboveGroundSquared(air, air.airDepth));
     float toHorizon = uv.y * longest;
-    float r = sqrt(GROUND_RADIUS * GROUND_RADIUS + toHorizon * toHorizon);
-    float altitude = toHorizon * toHorizon / (r + GROUND_RADIUS);
-    float shortest = AIR_DEPTH - altitude;
+    float r = sqrt(air.groundRadius * air.groundRadius + toHorizon * toHorizon);
+    float altitude = toHorizon * toHorizon / (r + air.groundRadius);
+    float shortest = air.airDepth - altitude;
     float d = shortest + uv.x * (toHorizon + longest - shortest);
     float mu = d <= 0.0f ? 1.0f : (longest * longest - toHorizon * toHorizon - d * d) / (2.0f * r * d);
     return vec2(altitude, clamp(mu, -1.0f, 1.0f));
 }
 
-// The sun's axis is stretched around the horizon, where the light changes fastest.
-SHARED_FUNCTION vec2 multiScatterUv(float altitude, float muSun)
+// The sun's axis is stretched around the horizon, where the light changes fastest: by the cube root.
+SHARED_FUNCTION float multiScatterU(float muSun)
 {
-    float x = 0.5f + 0.5f * sign(muSun) * sqrt(abs(muSun));
-    float y = sqrt(clamp(altitude / AIR_DEPTH, 0.0f, 1.0f));
-    return (vec2(x, y) * float(MULTI_SCATTER_SIZE - 1) + 0.5f) / float(MULTI_SCATTER_SIZE);
+    float x = 0.5f + 0.5f * sign(muSun) * pow(abs(muSun), 1.0f / 3.0f);
+    return (x * float(MULTI_SCATTER_WIDTH - 1) + 0.5f) / float(MULTI_SCATTER_WIDTH);
 }
 
-SHARED_FUNCTION vec2 multiScatterTexel(vec2 pixel)
+SHARED_FUNCTION vec2 multiScatterUv(Atmosphere air, float altitude, float muSun)
 {
-    vec2 uv = (pixel - 0.5f) / float(MULTI_SCATTER_SIZE - 1);
-    float x = uv.x * 2.0f - 1.0f;
-    return vec2(uv.y * uv.y * AIR_DEPTH, sign(x) * x * x);
+    float y = sqrt(clamp(altitude / air.airDepth, 0.0f, 1.0f));
+    return vec2(multiScatterU(muSun), (y * float(MULTI_SCATTER_HEIGHT - 2) + 0.5f) / float(MULTI_SCATTER_HEIGHT));
+}
+
+// Where the irradiance of the sky on level ground is, over pi.
+SHARED_FUNCTION vec2 groundIrradianceUv(float muSun)
+{
+    return vec2(multiScatterU(muSun), 1.0f - 0.5f / float(MULTI_SCATTER_HEIGHT));
+}
+
+// The inverse: altitude, cosine of the sun from the zenith, and 1 in the row of the ground.
+SHARED_FUNCTION vec3 multiScatterTexel(Atmosphere air, vec2 pixel)
+{
+    float x = 2.0f * (pixel.x - 0.5f) / float(MULTI_SCATTER_WIDTH - 1) - 1.0f;
+    float y = (pixel.y - 0.5f) / float(MULTI_SCATTER_HEIGHT - 2);
+    bool ground = pixel.y > float(MULTI_SCATTER_HEIGHT - 1);
+    return vec3(ground ? 0.0f : y * y * air.airDepth, x * x * x, ground ? 1.0f : 0.0f);
 }
 
 // The sky around the eye: u grows from the sun's azimuth to the opposite one, v from straight down to straight up,
@@ -188,6 +201,34 @@ SHARED_FUNCTION vec2 skyViewTexel(float horizon, vec2 pixel)
     float elevation = above ? horizon + s * s * (1.57079633f - horizon) : horizon - s * s * (1.57079633f + horizon);
     float u = clamp((pixel.x - 0.5f) / float(SKY_VIEW_WIDTH - 1), 0.0f, 1.0f);
     return vec2(elevation, 3.14159265f * pow(u, 1.0f / 0.6f));
+}
+
+// The air before things at a distance, around the eye: azimuth from the sun, elevation, distance. Slices lie with the square,
+// the first at 0 m. `up` is the sine of the elevation.
+SHARED_FUNCTION vec2 aerialUv(float up, float cosAzimuth)
+{
+    float u = sqrt(clamp(0.5f - 0.5f * cosAzimuth, 0.0f, 1.0f));
+    float v = 0.5f + 0.5f * sign(up) * sqrt(abs(up));
+    return (vec2(u, v) * float(AERIAL_SIZE - 1) + 0.5f) / float(AERIAL_SIZE);
+}
+
+// The inverse: sine of the elevation, cosine of the azimuth.
+SHARED_FUNCTION vec2 aerialTexel(vec2 pixel)
+{
+    vec2 uv = (pixel - 0.5f) / float(AERIAL_SIZE - 1);
+    float v = 2.0f * uv.y - 1.0f;
+    return vec2(v * abs(v), 1.0f - 2.0f * uv.x * uv.x);
+}
+
+SHARED_FUNCTION float aerialDistance(float slice) // km
+{
+    float s = slice / float(AERIAL_SIZE - 1);
+    return AERIAL_REACH * s * s;
+}
+
+SHARED_FUNCTION float aerialSlice(float distance_) // km
+{
+    return float(AERIAL_SIZE - 1) * sqrt(min(distance_ / AERIAL_REACH, 1.0f));
 }
 
 SHARED_END

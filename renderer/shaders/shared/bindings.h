@@ -8,6 +8,7 @@
 #define TERRAIN_BINDING 2
 #define PASS_BINDING 3
 #define SKY_LIGHT_BINDING 4
+#define HEAVENS_BINDING 5
 #define SHADOWS_BINDING 6
 #define LAMPS_BINDING 7
 
@@ -52,6 +53,8 @@
 #define MULTI_SCATTER_UNIT 9
 #define IMAGE_UNIT 10
 #define GROUND_SHADOW_UNIT 11
+#define SKY_MIRROR_UNIT 12
+#define AERIAL_UNIT 13
 #define CLOUD_MAP_UNIT 16
 #define SHADOW_DEPTH_UNIT 17 // the shadow maps as numbers
 #define AMBIENT_OCCLUSION_UNIT 18

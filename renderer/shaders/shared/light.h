@@ -10,10 +10,10 @@
 SHARED_BEGIN
 
 struct Light {
-    vec3 towardSun;     float ambient;       // unit; factor on the light of the sky
-    vec3 sunIrradiance; float sunRadius;     // at the eye, behind the atmosphere; radians
+    vec3 towardSun;     float ambient;       // unit, or towards the moon where that lights; factor on the light of the sky
+    vec3 sunIrradiance; float sunRadius;     // of either, at the eye, behind the atmosphere; radians
     vec3 sunAbove;      float sunSolidAngle; // irradiance above the atmosphere; sr
-    vec3 skyFloor;      float cloudsOn;      // radiance that the sky never falls below: stars and airglow
+    vec3 skyFloor;      float cloudsOn;      // what night gives to surfaces, from all around
     vec3 fogTint;       float fogDensity;     // at the eye's height, per m; 0: no fog
     float fogHeight;    float cloudAltitude;  // scale height, m; m above the eye
     float cloudEdge;    float cloudWidth;     // value of the field where clouds begin, and range over which they thicken

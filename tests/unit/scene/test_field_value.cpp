@@ -63,6 +63,22 @@ TEST(FieldValue, FaultsNameTheKeyAndWhatIsExpected)
     EXPECT_EQ(e, Environment{}); // a fault changes nothing
 }
 
+// A planet of radius 0, air that is not there or less than that.
+TEST(FieldValue, BadAirIsRefusedByName)
+{
+    Environment e;
+    for (const char* const path : {"sky.planet_radius", "sky.air_depth", "sky.rayleigh_height", "sky.mie_height"}) {
+        EXPECT_TRUE(faultOf(setField(e, path, 0)).starts_with(std::string{path} + ": 0 is outside ")) << path;
+        EXPECT_EQ(faultOf(setField(e, path, "nan")), std::string{path} + ": must be a finite number");
+    }
+    for (const char* const path : {"sky.mie_scattering", "sky.mie_extinction", "sky.ground_albedo", "sky.aerial", "sky.stars", "moon.brightness"})
+        EXPECT_TRUE(faultOf(setField(e, path, -1)).starts_with(std::string{path} + ": -1 is outside ")) << path;
+    EXPECT_NE(faultOf(setField(e, "sky.rayleigh", "1,-1,1")).find("sky.rayleigh"), std::string::npos);
+    EXPECT_NE(faultOf(setField(e, "sky.ozone.b", -1)).find("sky.ozone"), std::string::npos);
+    EXPECT_NE(faultOf(setField(e, "moon.phase", 1.5)).find("moon.phase"), std::string::npos);
+    EXPECT_EQ(e, Environment{});
+}
+
 TEST(FieldValue, UnknownKeysNameThoseThatAreNear)
 {
     Environment e;

@@ -1,0 +1,4 @@
+#include "shared/bindings.h"
+#include "shared/heavens.h"
+
+layout(std140, binding = HEAVENS_BINDING) uniform HeavensBlock { Heavens heavens; };
