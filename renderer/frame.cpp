@@ -1,3 +1,4 @@
+#include "renderer/clouds.h"
 #include "renderer/debug_lines.h"
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/state.h"
@@ -45,7 +46,9 @@ Picture Renderer::State::render(const FrameInput& in)
     gpu.constants(VIEW_BINDING, viewpoint.view);
     gpu.constants(LIGHT_BINDING, viewpoint.light);
 
-    skyTables.update(gpu, viewpoint.light);
+    const glsl::Clouds cloudy = cloudsOf(scenery.environment, viewpoint.light, viewpoint.eye, in.time);
+    clouds.update(gpu, cloudy, in.settings.cloudKind);
+    skyTables.update(gpu, viewpoint.light, cloudy);
     scenery.terrain.aim(viewpoint.eye, viewpoint.culledFor, in.settings.lod ? in.settings.lodPixels : 1.0f);
     shadow.render(gpu, scenery, viewpoint, in.settings);
     const GeometryPass::Drawn drawn = drawSurfaces(gpu, in, viewpoint);
@@ -53,7 +56,8 @@ Picture Renderer::State::render(const FrameInput& in)
 
     const bool lit = needsLight(in.show);
     Radiance& hdr = lit ? lighting.render(gpu, surfaces, viewpoint, in.settings) : lighting.unlit(surfaces);
-    if (lit) sky.render(gpu, hdr, viewpoint, in.settings);
+    if (lit) sky.render(gpu, hdr, viewpoint, in.settings, clouds.areInSky());
+    if (lit) clouds.render(gpu, hdr, surfaces, in.settings);
     transparent.render(gpu, hdr, surfaces, scenery, viewpoint, drawn.objects, in.ghosts, in.settings);
     radiance = lit ? &hdr : nullptr;
 

@@ -7,9 +7,6 @@
 namespace renderer {
 namespace {
 
-constexpr double kCloudTile = 11000.0; // m, as in clouds.glsl
-constexpr double kCloudPeriod = kCloudTile * 100; // a whole number of repeats of every octave, nearly
-
 // Stars and airglow: enough to see shapes by, grown in while the sun sinks from 5 to 14 degrees below the horizon.
 glm::vec3 nightSky(double sunHeight)
 {
@@ -37,33 +34,6 @@ void addFog(glsl::Light& light, const io::Fog& fog, bool on, double eyeHeight)
     light.fogTint = fog.tint;
     light.fogHeight = float(height);
     light.fogDensity = on ? float(fog.density * std::exp(exponent)) : 0.0f;
-}
-
-// The value that a share `coverage` of the cloud field exceeds; the field's values lie about as a logistic curve does.
-float cloudEdge(float coverage)
-{
-    const float share = glm::clamp(coverage, 0.005f, 0.995f);
-    return 0.53f - 0.043f * std::log(share / (1 - share));
-}
-
-void addClouds(glsl::Light& light, const io::Clouds& clouds, bool on, const Eye& eye, double time)
-{
-    const double towards = glm::radians(double(clouds.direction));
-    const glm::dvec2 wind{std::sin(towards), -std::cos(towards)}; // clockwise from north, -Z
-    const glm::dvec2 drifted = glm::dvec2{eye.position.x, eye.position.z} - wind * (double(clouds.speed) * time);
-    light.cloudsOn = on && clouds.coverage > 0 ? glm::smoothstep(0.0f, 0.08f, clouds.coverage) : 0.0f;
-    light.cloudAltitude = float(clouds.altitude - eye.position.y);
-    light.cloudEdge = cloudEdge(clouds.coverage);
-    light.cloudWidth = 0.035f + 0.22f * clouds.softness;
-    light.cloudOrigin = glm::vec2{drifted - glm::floor(drifted / kCloudPeriod) * kCloudPeriod};
-    light.cloudWind = glm::vec2{wind};
-
-    // The map moves by whole texels of the field, so that shadows do not swim.
-    const glm::dvec2 shift = glm::dvec2{light.towardSun.x, light.towardSun.z} / std::max(double(light.towardSun.y), 0.12);
-    const glm::dvec2 seen = glm::dvec2{light.cloudOrigin} + shift * double(light.cloudAltitude);
-    constexpr double kTexel = double(CLOUD_MAP_METRES) / CLOUD_MAP_SIZE;
-    const glm::dvec2 middle = glm::floor(seen / kTexel) * kTexel;
-    light.cloudMap = glm::vec4{middle, (seen - middle) / double(CLOUD_MAP_METRES) + 0.5};
 }
 
 } // namespace
@@ -108,13 +78,13 @@ glsl::Light lightOf(const LightInput& input)
     light.sunAbove = e.sun.irradiance;
     light.sunIrradiance = e.sun.irradiance * sunThrough(light.atmosphere, eyeHeight, towardSun, radius);
     light.sunAtClouds = e.sun.irradiance * sunThrough(light.atmosphere, e.clouds.altitude, towardSun, radius);
+    light.cloudsOn = input.settings.clouds ? glm::smoothstep(0.0f, 0.08f, e.clouds.coverage) : 0.0f;
     light.sunRadius = float(radius);
     light.sunSolidAngle = float(4 * std::numbers::pi * std::pow(std::sin(radius / 2), 2));
     light.skyFloor = nightSky(towardSun.y);
     light.groundShadow = input.groundShadow;
     addShadows(light, e.shadows, input.cascades);
     addFog(light, e.fog, input.settings.fog, eyeHeight);
-    addClouds(light, e.clouds, input.settings.clouds, input.eye, input.time);
     return light;
 }
 

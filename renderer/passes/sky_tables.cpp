@@ -38,7 +38,7 @@ SkyTables::SkyTables(ShaderLibrary& shaders)
     : m_transmittanceProgram{shaders.fullScreen("transmittance")}, m_multiScatterProgram{shaders.fullScreen("multi_scatter")},
       m_skyViewProgram{shaders.fullScreen("sky_view")},
       m_skyLightProgram{shaders.program({.label = "sky_light", .stages = {"sky_light.comp.glsl"}})},
-      m_noiseProgram{shaders.fullScreen("noise")}, m_cloudMapProgram{shaders.fullScreen("cloud_map")},
+      m_noiseProgram{shaders.fullScreen("noise")},
       m_transmittance{makeTarget("transmittance", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT})},
       m_multiScatter{makeTarget("multiple scattering", glm::ivec2{MULTI_SCATTER_SIZE})},
       m_skyView{makeTarget("sky view", {SKY_VIEW_WIDTH, SKY_VIEW_HEIGHT})}, m_skyLight{"sky light", sizeof(glsl::SkyLight)}
@@ -47,25 +47,26 @@ SkyTables::SkyTables(ShaderLibrary& shaders)
                                    .size = glm::ivec2{kNoiseSize},
                                    .mips = gl::fullMipCount(glm::ivec2{kNoiseSize}),
                                    .wrap = GL_REPEAT}};
-    m_cloudMap.texture = gl::Texture{{.label = "cloud shadows", .size = glm::ivec2{CLOUD_MAP_SIZE}, .format = GL_R8, .target = true}};
-    m_cloudMap.framebuffer = gl::Framebuffer{{.label = "cloud shadows", .colours = {&m_cloudMap.texture}}};
     m_noise.framebuffer = gl::Framebuffer{{.label = "noise", .colours = {&m_noise.texture}}};
 }
 
-void SkyTables::update(GpuFrame& gpu, const glsl::Light& light)
+void SkyTables::update(GpuFrame& gpu, const glsl::Light& light, const glsl::Clouds& clouds)
 {
     const auto scope = gpu.scope("sky tables");
     if (!m_noiseMade) makeNoise(gpu);
     const bool air = !sameAir(light.atmosphere, m_air) || light.sunRadius != m_sunRadius;
     if (air) drawAirTables(gpu);
-    if (air || !sameHeight(light.atmosphere, m_air) || light.towardSun != m_towardSun) {
+    const bool sky = air || !sameHeight(light.atmosphere, m_air) || light.towardSun != m_towardSun;
+    if (sky) {
         drawSkyView(gpu);
         m_air = light.atmosphere;
         m_towardSun = light.towardSun;
         m_sunRadius = light.sunRadius;
     }
     bind(gpu);
-    drawCloudMap(gpu, light);
+    const CloudLight cloudy{.sun = clouds.sun, .cover = clouds.cover, .through = clouds.through, .on = clouds.on};
+    if (sky || cloudy != m_clouds) gatherSkyLight(gpu);
+    m_clouds = cloudy;
 }
 
 // Its mips are averaged here: software GL would build programs for that, which takes a tenth of a second.
@@ -82,15 +83,6 @@ void SkyTables::makeNoise(GpuFrame& gpu)
     m_noiseMade = true;
 }
 
-void SkyTables::drawCloudMap(GpuFrame& gpu, const glsl::Light& light)
-{
-    const glm::vec4 clouds{light.cloudMap.x, light.cloudMap.y, light.cloudEdge, light.cloudWidth};
-    if (light.cloudsOn <= 0 || clouds == m_clouds) return;
-    m_clouds = clouds;
-    m_cloudMap.framebuffer.bind();
-    gpu.fullScreen(m_cloudMapProgram, {}, {});
-}
-
 void SkyTables::drawAirTables(GpuFrame& gpu)
 {
     m_transmittance.framebuffer.bind();
@@ -104,7 +96,10 @@ void SkyTables::drawSkyView(GpuFrame& gpu)
     m_skyView.framebuffer.bind();
     gpu.fullScreen(m_skyViewProgram, {},
                    {{TRANSMITTANCE_UNIT, &m_transmittance.texture}, {MULTI_SCATTER_UNIT, &m_multiScatter.texture}});
-    bind(gpu);
+}
+
+void SkyTables::gatherSkyLight(GpuFrame& gpu)
+{
     if (!gpu.use(m_skyLightProgram)) return;
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SKY_LIGHT_STORAGE_BINDING, m_skyLight.id());
     glDispatchCompute(1, 1, 1);
@@ -116,8 +111,7 @@ void SkyTables::bind(GpuFrame& gpu) const
     gpu.bind({{SKY_VIEW_UNIT, &m_skyView.texture},
               {TRANSMITTANCE_UNIT, &m_transmittance.texture},
               {MULTI_SCATTER_UNIT, &m_multiScatter.texture},
-              {NOISE_UNIT, &m_noise.texture},
-              {CLOUD_MAP_UNIT, &m_cloudMap.texture}});
+              {NOISE_UNIT, &m_noise.texture}});
     glBindBufferBase(GL_UNIFORM_BUFFER, SKY_LIGHT_BINDING, m_skyLight.id());
 }
 

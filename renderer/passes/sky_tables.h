@@ -4,6 +4,7 @@
 #include "renderer/gl/buffer.h"
 #include "renderer/gpu_frame.h"
 #include "renderer/shader_library.h"
+#include "renderer/shaders/shared/clouds.h"
 #include "renderer/shaders/shared/light.h"
 
 namespace renderer {
@@ -12,14 +13,14 @@ class SkyTables {
 public:
     explicit SkyTables(ShaderLibrary& shaders);
 
-    void update(GpuFrame& gpu, const glsl::Light& light); // the light block is bound
+    void update(GpuFrame& gpu, const glsl::Light& light, const glsl::Clouds& clouds); // their blocks are bound
     void bind(GpuFrame& gpu) const;                       // tables, noise, and the block of the sky's light
 
 private:
     void makeNoise(GpuFrame& gpu);
     void drawAirTables(GpuFrame& gpu);
     void drawSkyView(GpuFrame& gpu);
-    void drawCloudMap(GpuFrame& gpu, const glsl::Light& light);
+    void gatherSkyLight(GpuFrame& gpu);
 
     struct Target {
         gl::Texture texture;
@@ -27,14 +28,17 @@ private:
     };
     static Target makeTarget(std::string_view label, glm::ivec2 size);
 
-    const gl::Program &m_transmittanceProgram, &m_multiScatterProgram, &m_skyViewProgram, &m_skyLightProgram, &m_noiseProgram,
-        &m_cloudMapProgram;
-    Target m_transmittance, m_multiScatter, m_skyView, m_noise, m_cloudMap;
+    const gl::Program &m_transmittanceProgram, &m_multiScatterProgram, &m_skyViewProgram, &m_skyLightProgram, &m_noiseProgram;
+    Target m_transmittance, m_multiScatter, m_skyView, m_noise;
     gl::Buffer m_skyLight;
     glsl::Atmosphere m_air{};        // of the tables as they are
     glm::vec3 m_towardSun{0};
     float m_sunRadius = -1;
-    glm::vec4 m_clouds{-1};          // of the map: its middle, edge and width
+    struct CloudLight { // what of clouds the sky's light depends on
+        glm::vec3 sun{-1};
+        float cover = 0, through = 0, on = 0;
+        bool operator==(const CloudLight&) const = default;
+    } m_clouds;
     bool m_noiseMade = false;
 };
 

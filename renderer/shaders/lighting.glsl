@@ -1,4 +1,5 @@
 // How a surface answers sun and sky.
+#include "cloud_shadow.glsl"
 #include "light.glsl"
 #include "sky_light.glsl"
 #include "shared/brdf.h"
@@ -7,7 +8,6 @@
 
 layout(binding = SHADOW_UNIT) uniform sampler2DArrayShadow shadowMaps;
 layout(binding = GROUND_SHADOW_UNIT) uniform sampler2D groundShadow;
-layout(binding = CLOUD_MAP_UNIT) uniform sampler2D cloudMap;
 
 struct Surface {
     vec3 baseColour;
@@ -76,14 +76,6 @@ float sunOverGround(vec3 relative)
     float shadow = textureLod(groundShadow, place, 0.0).r - view.eyeHeight;
     float soft = 1.5 + length(relative) * 0.004;
     return smoothstep(-soft, soft, relative.y - shadow + soft);
-}
-
-// Share of the sun that reaches a place under the clouds.
-float cloudShadow(vec3 relative)
-{
-    vec2 shift = light.towardSun.xz * (relative.y / max(light.towardSun.y, 0.12));
-    float through = textureLod(cloudMap, (relative.xz - shift) * (1.0 / CLOUD_MAP_METRES) + light.cloudMap.zw, 0.0).r;
-    return relative.y < light.cloudAltitude ? through : 1.0;
 }
 
 // Share of the sun that reaches a place.

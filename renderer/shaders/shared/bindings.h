@@ -8,6 +8,7 @@
 #define TERRAIN_BINDING 2
 #define PASS_BINDING 3
 #define SKY_LIGHT_BINDING 4
+#define CLOUDS_BINDING 8
 
 // Storage blocks
 #define SKY_LIGHT_STORAGE_BINDING 0 // the same buffer while it is written
@@ -51,6 +52,9 @@
 #define IMAGE_UNIT 10
 #define GROUND_SHADOW_UNIT 11
 #define CLOUD_MAP_UNIT 16
+#define CLOUD_SHAPE_UNIT 21
+#define CLOUD_DETAIL_UNIT 22
+#define CLOUD_IMAGE_UNIT 23
 
 // Records that vertices read are buffer textures: software GL fetches a texel far faster than it reads a storage block.
 #define MATERIALS_UNIT 14
