@@ -10,6 +10,8 @@ namespace {
 constexpr double kPeriod = 100;             // repeats after which every octave of the field meets its own beginning
 constexpr double kBegin = 0.196;            // of the width: where cloudThickness() takes a tenth of the light, and a cloud begins
 constexpr double kFlattest = 0.12;          // sine of the sun's height, for shadows
+constexpr float kWettingRain = 5;           // mm an hour, from which all is wet
+constexpr float kCoveringSnow = 5;          // and covered
 constexpr glm::dvec3 kLives{1500, 5400, 420}; // s after which an octave has changed through all of its noise
 
 double wrapped(double value, double period)
@@ -76,7 +78,9 @@ glsl::Clouds cloudsOf(const io::Environment& environment, const glsl::Light& lig
     clouds.base = float(c.altitude - eye.position.y);
     clouds.planet = float(double(environment.sky.planetRadius) * 1000 + eye.position.y);
     clouds.albedo = environment.sky.groundAlbedo;
-    clouds.through = glsl::throughCloud(0.7f * clouds.density * clouds.thickness);
+    clouds.wet = glm::clamp(environment.weather.rain / kWettingRain, 0.0f, 1.0f);
+    clouds.snow = glm::clamp(environment.weather.snow / kCoveringSnow, 0.0f, 1.0f);
+    clouds.through = glsl::throughCloud(0.8f * clouds.density * clouds.thickness);
 
     clouds.width = 0.06f + 0.5f * c.softness;
     const double closed = glm::smoothstep(0.85, 1.0, double(c.coverage)); // such a cover has no thin places

@@ -36,10 +36,25 @@ void CloudPass::update(GpuFrame& gpu, const glsl::Clouds& clouds, CloudKind kind
     gpu.bind({{CLOUD_MAP_UNIT, &m_map}});
 }
 
+// The map lies in the field, so drifting changes nothing of it until it has gone a texel. What changes slowly may be a little late:
+// shapes by half a second, the sun by a seventh of a degree.
+bool CloudPass::sameShadows(const Drawn& a, const Drawn& b)
+{
+    if (a.middle != b.middle || a.kind != b.kind) return false;
+    if (glm::distance(a.clouds.phase, b.clouds.phase) > 0.0012f || glm::distance(a.clouds.sunward, b.clouds.sunward) > 0.0025f) return false;
+    glsl::Clouds same = a.clouds;
+    same.origin = b.clouds.origin, same.map = b.clouds.map, same.phase = b.clouds.phase, same.sunward = b.clouds.sunward;
+    same.base = b.clouds.base, same.planet = b.clouds.planet, same.sun = b.clouds.sun;
+    return std::memcmp(&same, &b.clouds, sizeof same) == 0;
+}
+
 void CloudPass::drawMap(GpuFrame& gpu)
 {
-    if (m_drawn && m_drawn->kind == m_kind && std::memcmp(&m_drawn->clouds, &m_clouds, sizeof m_clouds) == 0) return;
-    m_drawn = Drawn{m_clouds, m_kind};
+    constexpr double kTexel = double(CLOUD_MAP_METRES) / CLOUD_MAP_SIZE;
+    const glm::dvec2 middle = glm::dvec2{m_clouds.origin} / double(m_clouds.perMetre) + glm::dvec2{m_clouds.map};
+    const Drawn now{m_clouds, glm::ivec2{glm::round(middle / kTexel)}, m_kind};
+    if (m_drawn && sameShadows(*m_drawn, now)) return;
+    m_drawn = now;
     std::vector<std::string> defines;
     if (m_kind == CloudKind::Volume) defines.emplace_back("VOLUME");
     m_mapTarget.bind();

@@ -28,11 +28,13 @@ private:
     CloudNoise m_noise;
     glsl::Clouds m_clouds{};
     CloudKind m_kind = CloudKind::Layer;
-    struct Drawn {
+    struct Drawn { // what the map shows
         glsl::Clouds clouds;
+        glm::ivec2 middle; // texels of the field
         CloudKind kind;
     };
-    std::optional<Drawn> m_drawn; // that the map shows
+    static bool sameShadows(const Drawn& a, const Drawn& b);
+    std::optional<Drawn> m_drawn;
     gl::Texture m_map, m_image, m_distances;
     gl::Framebuffer m_mapTarget, m_imageTarget;
 };

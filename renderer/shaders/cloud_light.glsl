@@ -26,11 +26,12 @@ vec3 airBefore(float metres, float below, float above)
     return exp(-(air.rayleigh * mean.x + vec3(air.mieExtinction * mean.y)) * (metres * 1e-3));
 }
 
-// Of a cloud at a distance, `hiding` a share of what is behind it: its light through air, haze and what those scatter.
-vec3 throughAir(vec3 radiance, float hiding, vec3 direction, float metres, float rise)
+// Of a cloud at a distance, `hiding` a share of what is behind it: its light through the air, `haze` letting a share of it through,
+// and what those scatter.
+vec3 throughAir(vec3 radiance, float hiding, vec3 direction, float metres, float rise, float haze)
 {
     float eye = light.atmosphere.eyeAltitude;
     vec3 left = airBefore(metres, eye, max(eye + rise * 1e-3, 0.0));
     vec3 front = skyUnderClouds(skyRadiance(normalize(vec3(direction.x, max(direction.y, 0.01), direction.z))), direction.y);
-    return radiance * left + front * ((1.0 - left) * hiding);
+    return mix(front * hiding, radiance * left + front * ((1.0 - left) * hiding), haze);
 }

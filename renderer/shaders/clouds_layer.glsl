@@ -45,14 +45,16 @@ LayerSeen layerTowards(vec3 direction)
     bool below = clouds.base > 0.0;
     // Where few clouds stand one sees their lit sides, where they close their dark bases.
     float sides = mix(0.1, 1.0, smoothstep(0.3, 1.0, clouds.cover));
-    float tauSun = (depth * (below ? 0.5 : 0.02) + near * 0.3 + far * 0.2) * sides;
+    float under = (depth * 0.5 + near * 0.3 + far * 0.2) * sides;
+    float over = min(depth, 2.0) * 0.3 + (max(near - depth, 0.0) + max(far - depth, 0.0)) * 0.05; // the sun meets its top
+    float tauSun = below ? under : over;
     vec3 source = cloudSource(tauSun, 1.0 - exp(-depth), below ? depth * sides : 0.0, below ? 0.0 : depth * sides, dot(direction, light.towardSun));
 
-    float haze = fogTransmittance(direction * t) * smoothstep(0.0, 0.03, abs(direction.y));
-    seen.radiance = throughAir(source * hiding, hiding, direction, t, clouds.base) * haze;
-    hiding *= haze;
+    // From below, whoever draws the sky lays the haze over all of it.
+    float haze = (below ? 1.0 : fogTransmittance(direction * t)) * smoothstep(0.0, 0.05, abs(direction.y));
+    seen.radiance = throughAir(source * hiding, hiding, direction, t, clouds.base, haze);
     seen.through = 1.0 - hiding;
-    seen.straight = 1.0 - haze * (1.0 - exp(-depth * clouds.on));
+    seen.straight = exp(-depth * clouds.on);
     seen.metres = t;
     return seen;
 }

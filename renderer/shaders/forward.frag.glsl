@@ -2,6 +2,7 @@
 #include "fog.glsl"
 #include "lighting.glsl"
 #include "material.glsl"
+#include "weather_surface.glsl"
 
 layout(location = 11) in vec3 relative;
 layout(location = 0) out vec4 radiance;
@@ -22,6 +23,9 @@ void main()
     s.metallic = m.metallic;
     s.occlusion = m.occlusion;
     s.bits = (materialFlags() & MATERIAL_LEAF) != 0u ? SURFACE_LEAF : 0u;
+#ifndef STUDIO
+    if ((materialFlags() & MATERIAL_UNLIT) == 0u) weatherSurface(s.baseColour, s.roughness, s.metallic, s.normal, weatherPlace(relative));
+#endif
     vec3 lit = shade(s, -normalize(relative), sunVisibility(relative, s.normal, gl_FragCoord.xy)) + m.emissive;
     lit = (materialFlags() & MATERIAL_UNLIT) != 0u ? s.baseColour / view.exposure : lit;
     lit = isSelected() ? tintSelected(lit) : lit;

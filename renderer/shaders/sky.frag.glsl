@@ -56,6 +56,7 @@ vec4 domeTowards(vec3 direction)
 {
     float azimuth = azimuthFromSun(direction);
     vec3 sky = skyView(azimuth, asin(clamp(direction.y, -1.0, 1.0))) * light.sunAbove + nightSky(direction.y);
+    sky = skyBehindClouds(sky, direction.y);
     vec4 colour = vec4(sky, 1.0);
 #ifdef CLOUDS
     if (direction.y > 0.0) colour = withClouds(sky, direction);

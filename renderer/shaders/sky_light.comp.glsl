@@ -43,10 +43,10 @@ vec3 underCover(vec3 clearSky)
 }
 
 // Mean radiance of clouds as they are seen from below: grey where they close, bright with sunlit sides where few stand.
-vec3 cloudMean(vec3 overcast)
+vec3 cloudMean(vec3 overcast, vec3 clearSky)
 {
-    vec3 sides = clouds.sun / max(light.sunAbove, vec3(1e-6)) * (0.14 * smoothstep(-0.05, 0.2, light.towardSun.y));
-    return mix(sides + overcast * 0.3, overcast, smoothstep(0.3, 0.95, clouds.cover));
+    vec3 sides = clouds.sun / max(light.sunAbove, vec3(1e-6)) * (0.1 * smoothstep(-0.05, 0.2, light.towardSun.y));
+    return mix(sides + clearSky * 0.4 + overcast * 0.3, overcast, smoothstep(0.3, 0.95, clouds.cover));
 }
 
 void main()
@@ -86,7 +86,7 @@ void main()
             behind += covered[i][column];
         }
         vec3 overcast = underCover(clear);
-        total += behind * cloudMean(overcast);
+        total += behind * cloudMean(overcast, clear);
         if (column == 0u) {
             skyLight.clear = vec4(clear, 0.0);
             skyLight.overcast = vec4(overcast, 0.0);

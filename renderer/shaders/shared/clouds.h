@@ -1,4 +1,4 @@
-// Clouds of one frame, and the arithmetic of their light. Both kinds of clouds, the flat layer and the volumes, stand where the
+// Clouds of one frame and what falls from them, and the arithmetic of their light. Both kinds of clouds, the flat layer and the volumes, stand where the
 // same field of noise is above an edge, so that a world looks alike on every tier.
 #ifndef SHARED_CLOUDS_H
 #define SHARED_CLOUDS_H
@@ -30,9 +30,10 @@ struct Clouds {
     vec2 sunward;     float planet;    // m that light goes aside in a metre of height, never flatter than the map can show; m from
     float through;    float albedo;    // the planet's centre to the eye; share of light through a closed cover; of the ground
     float on;         float mapLod;    // 0..1, grown in from none; of the field in a texel of the map
-    float unused;
+    float wet;        float snow;      // 0..1, how much of the ground rain wets and snow covers
+    float unused1;    float unused2;   float unused3;
 };
-SHARED_STRUCT_END(Clouds, 112)
+SHARED_STRUCT_END(Clouds, 128)
 
 // Henyey and Greenstein (1941), per sr: its integral over the sphere is 1.
 SHARED_FUNCTION float henyeyGreenstein(float g, float cosine)
