@@ -26,7 +26,11 @@ void main()
 #ifndef STUDIO
     if ((materialFlags() & MATERIAL_UNLIT) == 0u) weatherSurface(s.baseColour, s.roughness, s.metallic, s.normal, weatherPlace(relative));
 #endif
-    vec3 lit = shade(s, -normalize(relative), sunVisibility(relative, s.normal, gl_FragCoord.xy)) + m.emissive;
+    float sun = sunVisibility(relative, s.normal, gl_FragCoord.xy);
+#ifdef CLOUD_SHADOWS
+    sun *= cloudShadow(relative);
+#endif
+    vec3 lit = shade(s, -normalize(relative), sun) + m.emissive;
     lit = (materialFlags() & MATERIAL_UNLIT) != 0u ? s.baseColour / view.exposure : lit;
     lit = isSelected() ? tintSelected(lit) : lit;
     float alpha = m.root.a;

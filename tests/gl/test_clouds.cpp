@@ -93,7 +93,7 @@ protected:
 
 TEST_F(CloudField, CoverageIsTheShareOfTheSky)
 {
-    test::CloudCanvas canvas{{256, 256}};
+    test::CloudCanvas canvas{{128, 128}};
     for (const float softness : {0.1f, 0.25f, 0.8f}) {
         glm::dvec2 before{0};
         for (int tenth = 1; tenth <= 9; ++tenth) {
@@ -154,7 +154,7 @@ TEST_F(CloudField, SeedAndSizeMakeOtherSkies)
 TEST_F(CloudField, TheMapOfShadowsIsWhatAMarchToTheSunFinds)
 {
     test::CloudCanvas canvas{{10, 10}};
-    for (const float elevation : {70.0f, 25.0f}) {
+    for (const float elevation : {60.0f, 25.0f}) {
         io::Environment environment = test::plainEnvironment(200, elevation);
         environment.clouds.coverage = 0.5f;
         const auto values = canvas.draw("cloud_map_probe", environment, 40, renderer::CloudKind::Volume);
@@ -267,8 +267,8 @@ TEST(CloudPicture, StandsStillWhileNothingChanges)
 TEST(CloudPicture, IsWholeFromEverywhere)
 {
     for (const renderer::CloudKind kind : {renderer::CloudKind::Layer, renderer::CloudKind::Volume})
-        for (const double height : {300.0, 2500.0, 2501.0, 3100.0, 3900.0, 9000.0, 30000.0})
-            for (const float elevation : {45.0f, 1.0f, -20.0f}) {
+        for (const double height : {300.0, 2500.0, 3100.0, 20000.0})
+            for (const float elevation : {45.0f, -2.0f}) {
                 io::Environment environment = test::plainEnvironment(90, elevation);
                 environment.clouds.coverage = 0.6f;
                 environment.fog.density = 0.0001f;

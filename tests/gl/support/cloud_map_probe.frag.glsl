@@ -10,7 +10,7 @@ layout(location = 0) out vec4 value;
 float march(vec3 relative)
 {
     vec2 base = relative.xz + clouds.sunward * (clouds.base - relative.y);
-    const int kSteps = 160;
+    const int kSteps = 120;
     float tau = 0.0;
     for (int i = 0; i < kSteps; ++i) {
         float h = (float(i) + 0.5) / float(kSteps);
@@ -28,10 +28,10 @@ void main()
     vec2 texels = ((relative.xz - clouds.sunward * relative.y) / CLOUD_MAP_METRES + clouds.map.zw) * float(CLOUD_MAP_SIZE);
     relative.xz += (floor(texels) + 0.5 - texels) * kTexel; // to the middle of one
     float sum = 0.0;
-    for (int y = 0; y < 7; ++y)
-        for (int x = 0; x < 7; ++x) {
-            vec2 offset = (vec2(x, y) + 0.5) / 7.0 - 0.5;
+    for (int y = 0; y < 5; ++y)
+        for (int x = 0; x < 5; ++x) {
+            vec2 offset = (vec2(x, y) + 0.5) / 5.0 - 0.5;
             sum += march(relative + vec3(offset.x, 0.0, offset.y) * kTexel);
         }
-    value = vec4(cloudShadow(relative), 1.0 - clouds.shadow * (1.0 - sum / 49.0), march(relative), 1.0);
+    value = vec4(cloudShadow(relative), 1.0 - clouds.shadow * (1.0 - sum / 25.0), march(relative), 1.0);
 }
