@@ -24,7 +24,7 @@ void main()
     s.occlusion = m.occlusion;
     s.bits = (materialFlags() & MATERIAL_LEAF) != 0u ? SURFACE_LEAF : 0u;
 #ifndef STUDIO
-    if ((materialFlags() & MATERIAL_UNLIT) == 0u) weatherSurface(s.baseColour, s.roughness, s.metallic, s.normal, weatherPlace(relative));
+    if ((materialFlags() & MATERIAL_UNLIT) == 0u) weatherSurface(s.baseColour, s.roughness, s.metallic, s.normal, relative);
 #endif
     float sun = sunVisibility(relative, s.normal, gl_FragCoord.xy);
 #ifdef CLOUD_SHADOWS

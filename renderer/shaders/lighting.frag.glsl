@@ -26,7 +26,7 @@ void main()
     s.metallic = impostor ? 0.0 : stored.y;
 
     vec3 relative = relativeFromDepth(ray, texelFetch(gbufferDepth, pixel, 0).r);
-    if ((s.bits & SURFACE_UNLIT) == 0u) weatherSurface(s.baseColour, s.roughness, s.metallic, s.normal, weatherPlace(relative));
+    if ((s.bits & SURFACE_UNLIT) == 0u) weatherSurface(s.baseColour, s.roughness, s.metallic, s.normal, relative);
     // A flat picture would lie half in the shadow of what it stands for, with a straight edge.
     vec3 outOfOwnShadow = light.towardSun * (impostor ? stored.y * (IMPOSTOR_MOST_REACH * kOwnShadow) : 0.0);
     float sun = sunVisibility(relative + outOfOwnShadow, s.normal, gl_FragCoord.xy);

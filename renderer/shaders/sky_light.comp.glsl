@@ -45,8 +45,8 @@ vec3 underCover(vec3 clearSky)
 // Mean radiance of clouds as they are seen from below: grey where they close, bright with sunlit sides where few stand.
 vec3 cloudMean(vec3 overcast, vec3 clearSky)
 {
-    vec3 sides = clouds.sun / max(light.sunAbove, vec3(1e-6)) * (0.1 * smoothstep(-0.05, 0.2, light.towardSun.y));
-    return mix(sides + clearSky * 0.4 + overcast * 0.3, overcast, smoothstep(0.3, 0.95, clouds.cover));
+    vec3 sides = clouds.sun / max(light.sunAbove, vec3(1e-6)) * (0.1 * clamp(light.towardSun.y * 2.2, 0.0, 1.0)); // a low sun's fall on few
+    return mix(sides + clearSky * 0.7 + overcast * 0.3, overcast, smoothstep(0.3, 0.95, clouds.cover));
 }
 
 void main()

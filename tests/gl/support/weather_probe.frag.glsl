@@ -10,6 +10,6 @@ void main()
     vec3 colour = vec3(0.2);
     float roughness = 0.9;
     float metallic = 0.0;
-    weatherSurface(colour, roughness, metallic, normal, vec2(gl_FragCoord.y * 1.7, gl_FragCoord.y * 0.9));
+    weatherSurface(colour, roughness, metallic, normal, vec3(gl_FragCoord.y * 17.0, 0.0, gl_FragCoord.y * 9.0));
     value = vec4(colour.g, roughness, metallic, up);
 }
