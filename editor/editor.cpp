@@ -301,7 +301,8 @@ bool Editor::drifts() const
     if (m_live.moves()) return true;
     if (!animates()) return false;
     const io::Environment& environment = m_document->scene().environment();
-    const bool clouds = renderSettings.clouds && environment.clouds.speed != 0 && environment.clouds.coverage > 0;
+    const bool drift = environment.clouds.speed != 0 || environment.clouds.change != 0;
+    const bool clouds = renderSettings.clouds && drift && environment.clouds.coverage > 0;
     const bool wind = renderSettings.wind && environment.wind.speed > 0;
     return clouds || (wind && std::ranges::any_of(m_document->scene().templates(), sways));
 }

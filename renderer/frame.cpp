@@ -1,3 +1,4 @@
+#include "renderer/clouds.h"
 #include "renderer/debug_lines.h"
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/shaders/shared/lamps.h"
@@ -60,7 +61,9 @@ Picture Renderer::State::render(const FrameInput& in)
     gpu.constants(SHADOWS_BINDING, viewpoint.shadows);
     gpu.constants(HEAVENS_BINDING, viewpoint.heavens);
 
-    skyTables.update(gpu, viewpoint.light, viewpoint.heavens);
+    const glsl::Clouds cloudy = cloudsOf(environment, viewpoint.light, viewpoint.eye, in.time);
+    clouds.update(gpu, cloudy, in.settings.cloudKind);
+    skyTables.update(gpu, viewpoint.light, viewpoint.heavens, cloudy);
     scenery.terrain.aim(viewpoint.eye, viewpoint.culledFor, in.settings.lod ? in.settings.lodPixels : 1.0f);
     lamps.render(gpu, scenery, viewpoint, in.settings);
     shadow.render(gpu, scenery, viewpoint, in.settings);
@@ -70,7 +73,8 @@ Picture Renderer::State::render(const FrameInput& in)
     const bool lit = needsLight(in.show);
     if (lit || in.show == Show::Ao) occlusion.render(gpu, surfaces, viewpoint.eye, viewpoint.occlusion, in.settings);
     Radiance& hdr = lit ? lighting.render(gpu, surfaces, viewpoint, in.settings) : lighting.unlit(surfaces);
-    if (lit) sky.render(gpu, hdr, viewpoint, in.settings);
+    if (lit) sky.render(gpu, hdr, viewpoint, in.settings, clouds.areInSky());
+    if (lit) clouds.render(gpu, hdr, surfaces, in.settings);
     transparent.render(gpu, hdr, surfaces, scenery, viewpoint, drawn.objects, in.ghosts, in.settings);
     radiance = lit ? &hdr : nullptr;
 

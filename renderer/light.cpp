@@ -7,9 +7,6 @@
 namespace renderer {
 namespace {
 
-constexpr double kCloudTile = 11000.0; // m, as in clouds.glsl
-constexpr double kCloudPeriod = kCloudTile * 100; // a whole number of repeats of every octave, nearly
-
 // A finite value within its range, whatever the scene says.
 float sane(float value, float low, float high, float otherwise)
 {
@@ -28,33 +25,6 @@ void addFog(glsl::Light& light, const io::Fog& fog, bool on, double eyeHeight)
     light.fogTint = fog.tint;
     light.fogHeight = float(height);
     light.fogDensity = on ? float(fog.density * std::exp(exponent)) : 0.0f;
-}
-
-// The value that a share `coverage` of the cloud field exceeds; the field's values lie about as a logistic curve does.
-float cloudEdge(float coverage)
-{
-    const float share = glm::clamp(coverage, 0.005f, 0.995f);
-    return 0.53f - 0.043f * std::log(share / (1 - share));
-}
-
-void addClouds(glsl::Light& light, const io::Clouds& clouds, bool on, const Eye& eye, double time)
-{
-    const double towards = glm::radians(double(clouds.direction));
-    const glm::dvec2 wind{std::sin(towards), -std::cos(towards)}; // clockwise from north, -Z
-    const glm::dvec2 drifted = glm::dvec2{eye.position.x, eye.position.z} - wind * (double(clouds.speed) * time);
-    light.cloudsOn = on && clouds.coverage > 0 ? glm::smoothstep(0.0f, 0.08f, clouds.coverage) : 0.0f;
-    light.cloudAltitude = float(clouds.altitude - eye.position.y);
-    light.cloudEdge = cloudEdge(clouds.coverage);
-    light.cloudWidth = 0.035f + 0.22f * clouds.softness;
-    light.cloudOrigin = glm::vec2{drifted - glm::floor(drifted / kCloudPeriod) * kCloudPeriod};
-    light.cloudWind = glm::vec2{wind};
-
-    // The map moves by whole texels of the field, so that shadows do not swim.
-    const glm::dvec2 shift = glm::dvec2{light.towardSun.x, light.towardSun.z} / std::max(double(light.towardSun.y), 0.12);
-    const glm::dvec2 seen = glm::dvec2{light.cloudOrigin} + shift * double(light.cloudAltitude);
-    constexpr double kTexel = double(CLOUD_MAP_METRES) / CLOUD_MAP_SIZE;
-    const glm::dvec2 middle = glm::floor(seen / kTexel) * kTexel;
-    light.cloudMap = glm::vec4{middle, (seen - middle) / double(CLOUD_MAP_METRES) + 0.5};
 }
 
 } // namespace
@@ -115,12 +85,12 @@ glsl::Light lightOf(const LightInput& input)
     const glm::vec3 above = input.bodies.moonLights ? input.bodies.moonlight : e.sun.irradiance;
     light.sunIrradiance = above * sunThrough(light.atmosphere, eyeHeight, toward, radius);
     light.sunAtClouds = above * sunThrough(light.atmosphere, e.clouds.altitude, toward, radius);
+    light.cloudsOn = input.settings.clouds ? glm::smoothstep(0.0f, 0.08f, e.clouds.coverage) : 0.0f;
     light.sunRadius = float(radius);
     light.sunSolidAngle = float(4 * std::numbers::pi * std::pow(std::sin(radius / 2), 2));
     light.skyFloor = nightOnSurfaces(input.bodies);
     light.groundShadow = input.groundShadow;
     addFog(light, e.fog, input.settings.fog, eyeHeight);
-    addClouds(light, e.clouds, input.settings.clouds, input.eye, input.time);
     return light;
 }
 

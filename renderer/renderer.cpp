@@ -47,7 +47,7 @@ io::Image readTexture(const gl::Texture& texture, int channels, io::PixelType ty
 } // namespace
 
 Renderer::State::State(const Options& options)
-    : debug{options.debug}, shaders{options.shaders}, impostors{shaders, options.kept}, chooser{shaders}, pyramid{shaders}, skyTables{shaders}, shadow{shaders}, geometry{shaders},
+    : debug{options.debug}, shaders{options.shaders}, impostors{shaders, options.kept}, chooser{shaders}, pyramid{shaders}, clouds{shaders}, skyTables{shaders}, shadow{shaders}, geometry{shaders},
       lamps{shaders}, occlusion{shaders}, lighting{shaders}, sky{shaders}, transparent{shaders}, toneMap{shaders}, show{shaders},
       overlay{shaders}, thumbnails{shaders}
 {

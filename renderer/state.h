@@ -4,6 +4,7 @@
 #include "renderer/choosing.h"
 #include "renderer/gl/debug.h"
 #include "renderer/impostor_baker.h"
+#include "renderer/passes/clouds.h"
 #include "renderer/passes/geometry.h"
 #include "renderer/passes/lamps.h"
 #include "renderer/passes/lighting.h"
@@ -41,6 +42,7 @@ struct Renderer::State {
     ImpostorBaker impostors;
     ViewChooser chooser; // the camera's
     DepthPyramid pyramid;
+    CloudPass clouds;
     SkyTables skyTables;
     ShadowPass shadow;
     GeometryPass geometry;

@@ -59,6 +59,7 @@ io::Environment morning()
     environment.exposure = 3.6f;
     environment.sun.irradiance = {1.10f, 1.0f, 0.89f}; // a little warmer than the air alone makes it
     environment.clouds.coverage = 0.46f;
+    environment.clouds.seed = 1; // the meadow lies in the sun
     environment.fog.density = 0.00022f;
     environment.fog.height = 90;
     environment.fog.base = 26;

@@ -63,11 +63,11 @@ SkyPass::SkyPass(ShaderLibrary& shaders) : m_shaders{shaders}
     shaders.fullScreen("sky", {"CLOUDS"});
 }
 
-void SkyPass::render(GpuFrame& gpu, Radiance& radiance, const Viewpoint& viewpoint, const Settings& settings)
+void SkyPass::render(GpuFrame& gpu, Radiance& radiance, const Viewpoint& viewpoint, const Settings& settings, bool clouds)
 {
     const auto scope = gpu.scope("sky");
     std::vector<std::string> defines;
-    if (viewpoint.light.cloudsOn > 0) defines.emplace_back("CLOUDS");
+    if (clouds) defines.emplace_back("CLOUDS");
     if (settings.sky == SkyFrom::Integral) defines.emplace_back("INTEGRAL");
     const bool coarse = settings.skyPixels > 1;
     if (coarse) {

@@ -30,7 +30,7 @@ std::vector<std::string> lightingDefines(const Viewpoint& viewpoint, const Setti
 class SkyPass {
 public:
     explicit SkyPass(ShaderLibrary& shaders);
-    void render(GpuFrame& gpu, Radiance& radiance, const Viewpoint& viewpoint, const Settings& settings);
+    void render(GpuFrame& gpu, Radiance& radiance, const Viewpoint& viewpoint, const Settings& settings, bool clouds);
 
 private:
     void renderDome(GpuFrame& gpu, glm::ivec2 size, std::vector<std::string> defines);

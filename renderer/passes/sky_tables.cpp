@@ -42,7 +42,7 @@ SkyTables::SkyTables(ShaderLibrary& shaders)
       m_skyMirrorProgram{shaders.fullScreen("sky_mirror")},
       m_aerialProgram{shaders.program({.label = "aerial", .stages = {"aerial.comp.glsl"}})},
       m_skyLightProgram{shaders.program({.label = "sky_light", .stages = {"sky_light.comp.glsl"}})},
-      m_noiseProgram{shaders.fullScreen("noise")}, m_cloudMapProgram{shaders.fullScreen("cloud_map")},
+      m_noiseProgram{shaders.fullScreen("noise")},
       m_transmittance{makeTarget("transmittance", {TRANSMITTANCE_WIDTH, TRANSMITTANCE_HEIGHT})},
       m_scatteredOnce{makeTarget("light scattered once", kMultiScatter)}, m_multiScatter{makeTarget("multiple scattering", kMultiScatter)},
       m_skyView{makeTarget("sky view", {SKY_VIEW_WIDTH, SKY_VIEW_HEIGHT})},
@@ -54,25 +54,26 @@ SkyTables::SkyTables(ShaderLibrary& shaders)
                                    .size = glm::ivec2{kNoiseSize},
                                    .mips = gl::fullMipCount(glm::ivec2{kNoiseSize}),
                                    .wrap = GL_REPEAT}};
-    m_cloudMap.texture = gl::Texture{{.label = "cloud shadows", .size = glm::ivec2{CLOUD_MAP_SIZE}, .format = GL_R8, .target = true}};
-    m_cloudMap.framebuffer = gl::Framebuffer{{.label = "cloud shadows", .colours = {&m_cloudMap.texture}}};
     m_noise.framebuffer = gl::Framebuffer{{.label = "noise", .colours = {&m_noise.texture}}};
 }
 
-void SkyTables::update(GpuFrame& gpu, const glsl::Light& light, const glsl::Heavens& heavens)
+void SkyTables::update(GpuFrame& gpu, const glsl::Light& light, const glsl::Heavens& heavens, const glsl::Clouds& clouds)
 {
     const auto scope = gpu.scope("sky tables");
     if (!m_noiseMade) makeNoise(gpu);
     const bool air = !sameAir(light.atmosphere, m_air) || light.sunRadius != m_sunRadius;
     if (air) drawAirTables(gpu);
-    if (air || !sameHeight(light.atmosphere, m_air) || heavens.towardSun != m_towardSun) {
+    const bool sky = air || !sameHeight(light.atmosphere, m_air) || heavens.towardSun != m_towardSun;
+    if (sky) {
         drawSky(gpu);
         m_air = light.atmosphere;
         m_towardSun = heavens.towardSun;
         m_sunRadius = light.sunRadius;
     }
     bind(gpu);
-    drawCloudMap(gpu, light);
+    const CloudLight cloudy{.sun = clouds.sun, .cover = clouds.cover, .through = clouds.through, .on = clouds.on};
+    if (sky || cloudy != m_clouds) gatherSkyLight(gpu);
+    m_clouds = cloudy;
 }
 
 // Its mips are averaged here: software GL would build programs for that, which takes a tenth of a second.
@@ -87,15 +88,6 @@ void SkyTables::makeNoise(GpuFrame& gpu)
     for (std::size_t mip = 1; mip < mips.size(); ++mip)
         m_noise.texture.upload(mips[mip].data(), GL_RGBA, GL_UNSIGNED_BYTE, int(mip));
     m_noiseMade = true;
-}
-
-void SkyTables::drawCloudMap(GpuFrame& gpu, const glsl::Light& light)
-{
-    const glm::vec4 clouds{light.cloudMap.x, light.cloudMap.y, light.cloudEdge, light.cloudWidth};
-    if (light.cloudsOn <= 0 || clouds == m_clouds) return;
-    m_clouds = clouds;
-    m_cloudMap.framebuffer.bind();
-    gpu.fullScreen(m_cloudMapProgram, {}, {});
 }
 
 void SkyTables::drawAirTables(GpuFrame& gpu)
@@ -118,11 +110,14 @@ void SkyTables::drawSky(GpuFrame& gpu)
     m_skyMirror.framebuffer.bind();
     gpu.fullScreen(m_skyMirrorProgram, {}, {{SKY_VIEW_UNIT, &m_skyView.texture}});
     bind(gpu);
-    if (gpu.use(m_aerialProgram)) {
-        glBindImageTexture(0, m_aerial.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
-        glDispatchCompute(AERIAL_SIZE / 8, AERIAL_SIZE / 8, 1);
-        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-    }
+    if (!gpu.use(m_aerialProgram)) return;
+    glBindImageTexture(0, m_aerial.id(), 0, GL_TRUE, 0, GL_WRITE_ONLY, GL_RGBA16F);
+    glDispatchCompute(AERIAL_SIZE / 8, AERIAL_SIZE / 8, 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void SkyTables::gatherSkyLight(GpuFrame& gpu)
+{
     if (!gpu.use(m_skyLightProgram)) return;
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SKY_LIGHT_STORAGE_BINDING, m_skyLight.id());
     glDispatchCompute(1, 1, 1);
@@ -136,8 +131,7 @@ void SkyTables::bind(GpuFrame& gpu) const
               {MULTI_SCATTER_UNIT, &m_multiScatter.texture},
               {SKY_MIRROR_UNIT, &m_skyMirror.texture},
               {AERIAL_UNIT, &m_aerial},
-              {NOISE_UNIT, &m_noise.texture},
-              {CLOUD_MAP_UNIT, &m_cloudMap.texture}});
+              {NOISE_UNIT, &m_noise.texture}});
     glBindBufferBase(GL_UNIFORM_BUFFER, SKY_LIGHT_BINDING, m_skyLight.id());
 }
 

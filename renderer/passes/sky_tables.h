@@ -4,6 +4,7 @@
 #include "renderer/gl/buffer.h"
 #include "renderer/gpu_frame.h"
 #include "renderer/shader_library.h"
+#include "renderer/shaders/shared/clouds.h"
 #include "renderer/shaders/shared/heavens.h"
 #include "renderer/shaders/shared/light.h"
 
@@ -13,15 +14,15 @@ class SkyTables {
 public:
     explicit SkyTables(ShaderLibrary& shaders);
 
-    // Costs nothing while sun, air and the eye's height stand. The blocks of both are bound.
-    void update(GpuFrame& gpu, const glsl::Light& light, const glsl::Heavens& heavens);
+    // Costs nothing while sun, air, clouds and the eye's height stand. The blocks of all are bound.
+    void update(GpuFrame& gpu, const glsl::Light& light, const glsl::Heavens& heavens, const glsl::Clouds& clouds);
     void bind(GpuFrame& gpu) const; // tables, noise, and the block of the sky's light
 
 private:
     void makeNoise(GpuFrame& gpu);
     void drawAirTables(GpuFrame& gpu);
     void drawSky(GpuFrame& gpu);
-    void drawCloudMap(GpuFrame& gpu, const glsl::Light& light);
+    void gatherSkyLight(GpuFrame& gpu);
 
     struct Target {
         gl::Texture texture;
@@ -30,14 +31,18 @@ private:
     static Target makeTarget(std::string_view label, glm::ivec2 size);
 
     const gl::Program &m_transmittanceProgram, &m_scatterOnceProgram, &m_multiScatterProgram, &m_skyViewProgram, &m_skyMirrorProgram,
-        &m_aerialProgram, &m_skyLightProgram, &m_noiseProgram, &m_cloudMapProgram;
-    Target m_transmittance, m_scatteredOnce, m_multiScatter, m_skyView, m_skyMirror, m_noise, m_cloudMap;
+        &m_aerialProgram, &m_skyLightProgram, &m_noiseProgram;
+    Target m_transmittance, m_scatteredOnce, m_multiScatter, m_skyView, m_skyMirror, m_noise;
     gl::Texture m_aerial; // an array of distances
     gl::Buffer m_skyLight;
     glsl::Atmosphere m_air{};        // of the tables as they are
     glm::vec3 m_towardSun{0};
     float m_sunRadius = -1;
-    glm::vec4 m_clouds{-1};          // of the map: its middle, edge and width
+    struct CloudLight { // what of clouds the sky's light depends on
+        glm::vec3 sun{-1};
+        float cover = 0, through = 0, on = 0;
+        bool operator==(const CloudLight&) const = default;
+    } m_clouds;
     bool m_noiseMade = false;
 };
 

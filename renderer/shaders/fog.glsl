@@ -1,11 +1,12 @@
 // Haze that thins out with height: optical depth in closed form, the sky's own light as its colour.
 #include "sky_light.glsl"
 #include "sky_tables.glsl"
+#include "sky_under_clouds.glsl"
 
 // What is left of light that comes from `relative`.
 float fogTransmittance(vec3 relative)
 {
-    float x = clamp(relative.y / light.fogHeight, -60.0, 60.0);
+    float x = clamp(relative.y / light.fogHeight, -60.0, 1e6);
     float share = abs(x) < 1e-3 ? 1.0 - 0.5 * x : (1.0 - exp(-x)) / x;
     return exp(-light.fogDensity * length(relative) * share);
 }
@@ -15,5 +16,5 @@ vec3 fogColour(vec3 direction, float distance_)
 {
     vec3 towards = normalize(vec3(direction.x, max(direction.y, 0.015), direction.z));
     vec3 around = skyLight.haze.rgb * light.sunAbove + light.skyFloor * 2.76;
-    return mix(skyRadiance(towards), around, 0.65 * exp(-distance_ * (1.0 / 1600.0))) * light.fogTint;
+    return mix(skyUnderClouds(skyRadiance(towards), towards.y), around, 0.65 * exp(-distance_ * (1.0 / 1600.0))) * light.fogTint;
 }

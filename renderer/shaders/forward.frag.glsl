@@ -6,6 +6,7 @@
 #include "lamps.glsl"
 #endif
 #include "material.glsl"
+#include "weather_surface.glsl"
 
 layout(location = 11) in vec3 relative;
 layout(location = 0) out vec4 radiance;
@@ -26,9 +27,16 @@ void main()
     s.metallic = m.metallic;
     s.occlusion = m.occlusion;
     s.bits = (materialFlags() & MATERIAL_LEAF) != 0u ? SURFACE_LEAF : 0u;
+#ifndef STUDIO
+    if ((materialFlags() & MATERIAL_UNLIT) == 0u) weatherSurface(s.baseColour, s.roughness, s.metallic, s.normal, relative);
+#endif
+    float sun = sunVisibility(relative, s.normal);
+#ifdef CLOUD_SHADOWS
+    sun *= cloudShadow(relative);
+#endif
     vec3 toEye = -normalize(relative);
     Reflector reflector = reflectorAt(s, toEye);
-    vec3 lit = shade(s, reflector, toEye, sunVisibility(relative, s.normal)) + m.emissive;
+    vec3 lit = shade(s, reflector, toEye, sun) + m.emissive;
 #ifdef LAMPS
     lit += lampLight(s, reflector, relative, toEye, gl_FragCoord.xy);
 #endif

@@ -9,6 +9,7 @@
 #ifdef OCCLUSION
 #include "occlusion.glsl"
 #endif
+#include "weather_surface.glsl"
 
 layout(location = 0) in vec2 uv;
 layout(location = 1) in vec3 ray;
@@ -33,6 +34,7 @@ void main()
 
     float depth = texelFetch(gbufferDepth, pixel, 0).r;
     vec3 relative = relativeFromDepth(ray, depth);
+    if ((s.bits & SURFACE_UNLIT) == 0u) weatherSurface(s.baseColour, s.roughness, s.metallic, s.normal, relative);
 #ifdef OCCLUSION
     s.occlusion *= occlusionAt(pixel, depth);
 #endif

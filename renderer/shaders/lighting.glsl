@@ -1,4 +1,5 @@
 // How a surface answers sun and sky.
+#include "cloud_shadow.glsl"
 #include "light.glsl"
 #include "shadows.glsl"
 #include "sky_light.glsl"
@@ -7,7 +8,6 @@
 #include "shared/gbuffer.h"
 #include "view.glsl"
 
-layout(binding = CLOUD_MAP_UNIT) uniform sampler2D cloudMap;
 
 struct Surface {
     vec3 baseColour;
@@ -17,14 +17,6 @@ struct Surface {
     float occlusion;
     uint bits;
 };
-
-// Share of the sun that reaches a place under the clouds.
-float cloudShadow(vec3 relative)
-{
-    vec2 shift = light.towardSun.xz * (relative.y / max(light.towardSun.y, 0.12));
-    float through = textureLod(cloudMap, (relative.xz - shift) * (1.0 / CLOUD_MAP_METRES) + light.cloudMap.zw, 0.0).r;
-    return relative.y < light.cloudAltitude ? through : 1.0;
-}
 
 // Radiance for each unit of irradiance from towards `l`. A leaf scatters light around its edge and lets a yellower part
 // through. `most` as lobeOf() has it.

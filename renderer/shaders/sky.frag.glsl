@@ -1,11 +1,12 @@
 // The sky where nothing stands before it: scattered light, sun, moon and stars, clouds. All but those bodies is smooth: it may be
 // made at a lower resolution first (DOME) and looked up then (FROM_DOME).
-#include "clouds.glsl"
 #include "fog.glsl"
 #include "shared/bindings.h"
 #include "shared/atmosphere.h"
 #include "sky_tables.glsl"
 #include "view.glsl"
+#include "clouds_layer.glsl"
+#include "sky_under_clouds.glsl"
 #ifdef MOON
 #include "moon.glsl"
 #endif
@@ -43,42 +44,6 @@ vec3 sunDisc(vec3 direction)
     return light.sunAbove * throughToSpace(direction) * limb / mean * (inside / light.sunSolidAngle);
 }
 
-#ifdef CLOUDS
-// Mixes the cloud layer over `sky`; the share of what is behind that comes through.
-vec4 withClouds(vec3 sky, vec3 direction)
-{
-    // Where the ray meets the shell: r sin(e) is the height of the chord's middle.
-    const float kPlanet = 6360000.0;
-    float rise = kPlanet * direction.y;
-    float above = light.cloudAltitude;
-    float t = sqrt(max(rise * rise + 2.0 * kPlanet * above + above * above, 0.0)) - rise;
-    vec2 place = light.cloudOrigin + direction.xz * t;
-    float lod = log2(max(t * view.pixelAngle / (21.5 * sqrt(max(direction.y, 0.03))), 1.0)) * 0.75;
-
-    float field = cloudField(place, lod);
-    float opacity = cloudCover(field) * 0.97;
-    float thick = clamp(field * 0.75, 0.0, 1.5);
-
-    // What lies between here and the sun, sampled twice towards it.
-    vec2 sunward = light.towardSun.xz / max(light.towardSun.y, 0.22);
-    float towards = max(cloudField(place + sunward * 140.0, lod + 0.7), 0.0) * 0.9 +
-                    max(cloudField(place + sunward * 420.0, lod + 1.5), 0.0) * 0.6;
-    float depth = thick * 0.7 + min(towards, 3.0) * 0.75;
-
-    // Single scattering towards the eye, and the many scatterings that make a cloud white.
-    float nu = dot(direction, light.towardSun);
-    float ahead = miePhase(0.7, nu) * 0.9 + miePhase(0.9, nu) * 0.05;
-    vec3 direct = light.sunAtClouds * (exp(-depth * 1.2) * (0.2 + ahead) + exp(-depth * 0.26) * 0.24);
-    vec3 overhead = skyRadiance(normalize(vec3(direction.x * 0.3, 0.9, direction.z * 0.3)));
-    vec3 around = overhead * (1.15 - 0.3 * min(thick, 1.0)) + light.sunIrradiance * 0.02;
-    vec3 cloud = direct + around;
-
-    // Far clouds sink into the haze of the sky behind them.
-    float haze = exp(-t / 42000.0) * smoothstep(0.0, 0.05, direction.y);
-    float visible = opacity * haze * light.cloudsOn;
-    return vec4(mix(sky, cloud, visible), pow(1.0 - visible, 3.0));
-}
-#endif
 
 #ifndef FROM_DOME
 // The clear sky, per unit of sun irradiance.
@@ -96,9 +61,10 @@ vec4 domeTowards(vec3 direction)
 {
     float azimuth = azimuthFromSun(direction);
     vec3 sky = clearSky(direction, azimuth) * light.sunAbove + nightSky(direction.y);
+    sky = skyBehindClouds(sky, direction.y);
     vec4 colour = vec4(sky, 1.0);
 #ifdef CLOUDS
-    if (direction.y > 0.0 && light.cloudAltitude > 0.0) colour = withClouds(sky, direction);
+    if (direction.y > 0.0) colour = withClouds(sky, direction);
 #endif
 
     // Haze over the sky has the sky's own colour: it hides sun and clouds. Below the horizon the ray ends on the
@@ -107,7 +73,7 @@ vec4 domeTowards(vec3 direction)
                                     : min(50.0 * light.fogHeight / max(direction.y, 1e-5), 1e6); // above 50 of its heights there is none
     vec3 level = skyView(azimuth, max(asin(clamp(direction.y, -1.0, 1.0)), 0.0)) * light.sunAbove + nightSky(max(direction.y, 0.0));
     float through = light.fogDensity > 0.0 ? fogTransmittance(direction * reach) : 1.0;
-    return mix(vec4(level * light.fogTint, 0.0), colour, through);
+    return mix(vec4(skyUnderClouds(level, direction.y) * light.fogTint, 0.0), colour, through);
 }
 #endif
 

@@ -1,5 +1,6 @@
 // The structs that both compilers read lie alike in both.
 #include "renderer/shader_library.h"
+#include "renderer/shaders/shared/clouds.h"
 #include "renderer/shaders/shared/instance.h"
 #include "renderer/shaders/shared/light.h"
 #include "renderer/shaders/shared/material.h"
@@ -40,10 +41,16 @@ TEST_F(Layout, ViewAndLightAgree)
     EXPECT_EQ(offsetIn(p, "view.texel"), offsetof(glsl::View, texel));
 
     EXPECT_EQ(offsetIn(p, "light.sunRadius"), offsetof(glsl::Light, sunRadius));
-    EXPECT_EQ(offsetIn(p, "light.cloudOrigin"), offsetof(glsl::Light, cloudOrigin));
+    EXPECT_EQ(offsetIn(p, "light.sunAtClouds"), offsetof(glsl::Light, sunAtClouds));
     EXPECT_EQ(offsetIn(p, "light.atmosphere.rayleigh"), offsetof(glsl::Light, atmosphere.rayleigh));
     EXPECT_EQ(offsetIn(p, "light.atmosphere.horizon"), offsetof(glsl::Light, atmosphere.horizon));
     EXPECT_EQ(offsetIn(p, "skyLight.irradiance[0]"), 0);
+    EXPECT_EQ(offsetIn(p, "clouds.perMetre"), offsetof(glsl::Clouds, perMetre));
+    EXPECT_EQ(offsetIn(p, "clouds.sun"), offsetof(glsl::Clouds, sun));
+    EXPECT_EQ(offsetIn(p, "clouds.map"), offsetof(glsl::Clouds, map));
+    EXPECT_EQ(offsetIn(p, "clouds.sunward"), offsetof(glsl::Clouds, sunward));
+    EXPECT_EQ(offsetIn(p, "clouds.through"), offsetof(glsl::Clouds, through));
+    EXPECT_EQ(offsetIn(p, "clouds.mapLod"), offsetof(glsl::Clouds, mapLod));
 
     EXPECT_EQ(offsetIn(p, "shadows.cascade[1].textureFromRelative"), sizeof(glsl::ShadowCascade));
     EXPECT_EQ(offsetIn(p, "shadows.cascade[1].penumbra"), sizeof(glsl::ShadowCascade) + offsetof(glsl::ShadowCascade, penumbra));

@@ -11,6 +11,7 @@
 #define HEAVENS_BINDING 5
 #define SHADOWS_BINDING 6
 #define LAMPS_BINDING 7
+#define CLOUDS_BINDING 8
 
 // Storage blocks
 #define SKY_LIGHT_STORAGE_BINDING 0 // the same buffer while it is written
@@ -61,6 +62,9 @@
 #define LAMPS_UNIT 19
 #define LAMP_LISTS_UNIT 20
 #define LAMP_SHADOW_UNIT 30
+#define CLOUD_SHAPE_UNIT 21
+#define CLOUD_DETAIL_UNIT 22
+#define CLOUD_IMAGE_UNIT 23
 
 // Records that vertices read are buffer textures: software GL fetches a texel far faster than it reads a storage block.
 #define MATERIALS_UNIT 14

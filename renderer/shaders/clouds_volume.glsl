@@ -1,0 +1,41 @@
+// The rich clouds: volumes that rays march through. The field says where they stand and how high they reach, noise in space
+// carves them (Schneider and Vos 2015; Hillaire, "Physically Based Sky, Atmosphere and Cloud Rendering in Frostbite" 2016).
+#include "cloud_field.glsl"
+
+const float kCarving = 3.0;  // repeats of the shape's noise in a repeat of the field
+const float kWisps = 15.0;   // and of the detail's
+const float kSteepness = 2.2; // of the field at their edges: carving takes from there
+const float kFirmness = 0.25; // range of the noise over which a cloud turns from air to its full density
+const float kFringe = 0.45;   // and over which wisps are torn out of it
+
+// Extinction at `relative`, per m; `h` is the height in the layer of clouds, 0 at the base and 1 at the top.
+float cloudExtinction(vec3 relative, float h, float lod, bool fine)
+{
+    if (h <= 0.0 || h >= 1.0) return 0.0;
+    vec2 place = cloudPlace(relative.xz);
+    float billows = textureLod(cloudShape, vec3(place, clouds.phase.x), lod).r;
+    float broad = textureLod(cloudShape, vec3(place.yx * CLOUD_BROAD + 0.37, clouds.phase.y), lod - 1.7).g;
+    float field = (billows * CLOUD_BILLOWS_SHARE + broad * CLOUD_BROAD_SHARE + 0.5 * CLOUD_FINE_SHARE - clouds.edge) / clouds.width;
+    float stands = cloudThickness(field * kSteepness);
+    if (stands <= 0.0) return 0.0;
+
+    // Flat below, where a cover closes in waves, round above, and the higher the deeper within.
+    vec3 at = vec3(place, h * clouds.thickness * clouds.perMetre);
+    h = max(h - 0.25 * (1.0 - billows), 0.0);
+    float top = mix(0.25, 1.0, clamp(field * 0.6, 0.0, 1.0));
+    float shape = stands * smoothstep(0.0, 0.07, h) * (1.0 - smoothstep(top * 0.35, top, h));
+    float carved = textureLod(cloudShape, vec3(at.xy * kCarving, at.z * (kCarving * 4.0) + clouds.phase.x * 2.0), lod + 1.6).r;
+    float solid = shape * (1.0 + kFirmness) - 1.0 + carved;
+    if (fine && solid > 0.0 && solid < kFringe) {
+        float wisps = textureLod(cloudDetail, at * kWisps + vec3(0.0, 0.0, clouds.phase.z), lod + 2.0).r;
+        wisps = mix(1.0 - wisps, wisps, clamp(1.0 - h * 5.0, 0.0, 1.0)); // billows above, threads below
+        solid -= wisps * 0.4 * (1.0 - solid / kFringe);
+    }
+    return clouds.density * clouds.on * clamp(solid / kFirmness, 0.0, 1.0) * mix(0.4, 1.0, carved);
+}
+
+float cloudHeight(vec3 direction, float t) // in the layer, over a round planet
+{
+    float rise = direction.y * t + 0.5 * t * t * (1.0 - direction.y * direction.y) / clouds.planet;
+    return (rise - clouds.base) / clouds.thickness;
+}
