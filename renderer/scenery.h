@@ -5,8 +5,11 @@
 #include "renderer/eye.h"
 #include "renderer/ground_shadow.h"
 #include "renderer/light.h"
+#include "renderer/shaders/shared/shafts.h"
 #include "renderer/terrain.h"
 #include "renderer/world.h"
+
+#include <optional>
 
 namespace renderer {
 
@@ -18,6 +21,8 @@ struct Scenery {
     io::Environment environment;
 };
 
+enum class Shafts { None, Volume, Screen }; // of light in fog: in froxels, or from what the picture shows
+
 // One frame's camera and light, bound for every pass.
 struct Viewpoint {
     Eye eye;
@@ -26,9 +31,13 @@ struct Viewpoint {
     glm::dvec3 towardSun{0, 1, 0};
     std::vector<Cascade> cascades; // empty: no shadows
     glsl::View view;
+    glsl::View still; // the same, not moved aside
+    std::optional<int> gathered; // frames before this one that it is gathered with; none: it stands for itself
     glsl::Wind wind;
     double time = 0; // s
     glsl::Light light;
+    Shafts shafts = Shafts::None;
+    glsl::Shafts shaftConstants{};
 };
 
 } // namespace renderer

@@ -2,6 +2,7 @@
 #include "fog.glsl"
 #include "lighting.glsl"
 #include "material.glsl"
+#include "shafts.glsl"
 
 layout(location = 11) in vec3 relative;
 layout(location = 0) out vec4 radiance;
@@ -33,6 +34,9 @@ void main()
 #ifndef STUDIO
     float through = fogTransmittance(relative);
     lit = lit * through + fogColour(normalize(relative), length(relative)) * (1.0 - through);
+#if defined(SHAFTS_VOLUME) || defined(SHAFTS_SCREEN)
+    lit = max(lit - missingInFog(gl_FragCoord.xy * view.texel, relative), vec3(0.0));
+#endif
 #endif
     radiance = vec4(min(lit, vec3(60000.0)), alpha);
 #ifdef WRITE_ID

@@ -8,9 +8,12 @@
 #define TERRAIN_BINDING 2
 #define PASS_BINDING 3
 #define SKY_LIGHT_BINDING 4
+#define PICTURE_BINDING 9 // light shafts, or the exposure that was chosen
 
 // Storage blocks
 #define SKY_LIGHT_STORAGE_BINDING 0 // the same buffer while it is written
+
+#define EXPOSURE_STORAGE_BINDING 1
 
 #define CULL_RECORDS_BINDING 0
 #define CULL_MODELS_BINDING 1
@@ -51,6 +54,9 @@
 #define IMAGE_UNIT 10
 #define GROUND_SHADOW_UNIT 11
 #define CLOUD_MAP_UNIT 16
+#define SHAFTS_UNIT 24  // a volume, or a small picture
+#define BLOOM_UNIT 25
+#define HISTORY_UNIT 26 // the last frame; while edges are smoothed, where they are
 
 // Records that vertices read are buffer textures: software GL fetches a texel far faster than it reads a storage block.
 #define MATERIALS_UNIT 14
