@@ -13,7 +13,7 @@ float fogTransmittance(vec3 relative)
 // Near haze is lit from all around, far haze takes the colour of the sky behind it.
 vec3 fogColour(vec3 direction, float distance_)
 {
-    vec3 towards = normalize(vec3(direction.x, max(direction.y, 0.015), direction.z));
+    vec3 towards = normalize(vec3(direction.x, max(direction.y, 0.0), direction.z));
     vec3 around = skyLight.haze.rgb * light.sunAbove + light.skyFloor * 2.76;
     return mix(skyRadiance(towards), around, 0.65 * exp(-distance_ * (1.0 / 1600.0))) * light.fogTint;
 }

@@ -9,6 +9,7 @@ layout(binding = HISTORY_UNIT) uniform sampler2D edges; // red: to the left; gre
 layout(location = 0) out vec4 weights;
 
 const int kReach = 32; // pixels that an edge is followed to each side
+const float kSharpness = 1.0; // of corners, 0..1: how much less they are smoothed
 
 vec2 edgesAt(ivec2 pixel)
 {
@@ -31,7 +32,12 @@ End follow(ivec2 pixel, ivec2 along, ivec2 across, vec2 own, vec2 other)
         ivec2 p = pixel + along * i;
         float up = dot(edgesAt(p + crossing), other);
         float down = dot(edgesAt(p + crossing - across), other);
-        if (up + down > 0.0) return End(float(i), 0.5 * (up - down));
+        if (up + down > 0.0) {
+            // An edge that goes on across is a corner of the thing itself, not a step of a slanted edge.
+            up *= 1.0 - kSharpness * dot(edgesAt(p + crossing + across), other);
+            down *= 1.0 - kSharpness * dot(edgesAt(p + crossing - 2 * across), other);
+            return End(float(i), 0.5 * (up - down));
+        }
         if (dot(edgesAt(p + along), own) == 0.0) return End(float(i), 0.0);
     }
     return End(float(kReach), 0.0);
