@@ -42,11 +42,13 @@ const gl::Texture& BloomPass::render(GpuFrame& gpu, const gl::Texture& radiance,
         gpu.fullScreen(source == &radiance ? first : m_down, {}, {{BLOOM_UNIT, source}});
         source = &level.texture;
     }
-    // Each level is mixed with what comes from below so that in the end all weigh the same.
+    // Each level is mixed with what comes from below so that in the end all weigh the same; but the first of a coarse
+    // pyramid, whose texels would show around the sun, only takes what comes.
     for (std::size_t below = m_levels.size() - 1; below > 0; --below) {
         const auto levelsBelow = float(m_levels.size() - below);
         m_levels[below - 1].framebuffer.bind();
-        gpu.constants(PASS_BINDING, glm::vec4{levelsBelow / (levelsBelow + 1)});
+        const bool takes = coarse && below == 1;
+        gpu.constants(PASS_BINDING, glm::vec4{takes ? 1.0f : levelsBelow / (levelsBelow + 1)});
         gpu.fullScreen(m_up, {.blend = gl::Blend::Alpha}, {{BLOOM_UNIT, &m_levels[below].texture}});
     }
     return m_levels.front().texture;

@@ -1,6 +1,7 @@
 // Half as large, for bloom: 13 taps after Jimenez, "Next Generation Post Processing in Call of Duty: Advanced Warfare"
 // (SIGGRAPH 2014), as five groups of four that overlap. At the first level each group is weighed by how dark it is (Karis),
-// so that a bright pixel that comes and goes does not flicker. QUARTER: four boxes of 2 x 2 pixels at once, for machines
+// so that a bright pixel that comes and goes does not flicker; but by no less than a quarter, as the sun is a few pixels too and
+// is to glow. QUARTER: four boxes of 2 x 2 pixels at once, for machines
 // that pay for each tap.
 #include "shared/bindings.h"
 #include "shared/tone_map.h"
@@ -18,7 +19,7 @@ vec3 at(vec2 pixels)
 float weight(vec3 c)
 {
 #ifdef FIRST
-    return 1.0 / (1.0 + luminance(c) * view.exposure);
+    return max(1.0 / (1.0 + luminance(c) * view.exposure), 0.25);
 #else
     return 1.0;
 #endif

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/passes/lighting.h"
+#include "tests/gl/support/shared_renderer.h"
 
 #include <functional>
 #include <memory>
@@ -10,7 +11,7 @@ namespace test {
 
 class PassBench {
 public:
-    PassBench() : shaders{WOLD_SOURCE_DIR "/renderer/shaders"} {}
+    PassBench() : shaders{WOLD_SOURCE_DIR "/renderer/shaders"} { m_empty = haveContext() ? renderer::gl::VertexArray{"no vertices"} : renderer::gl::VertexArray{}; }
 
     // Calls `work` within a frame whose camera block is bound.
     void frame(const glsl::View& view, const std::function<void(renderer::GpuFrame&)>& work)
@@ -61,7 +62,7 @@ private:
     renderer::GpuStream m_stream;
     renderer::PassTimers m_timers;
     renderer::FrameStats m_stats;
-    renderer::gl::VertexArray m_empty{"no vertices"};
+    renderer::gl::VertexArray m_empty;
 };
 
 } // namespace test
