@@ -114,6 +114,16 @@ glsl::View viewBlock(const Eye& eye, const glm::dmat4& clipFromRelative, double 
     return view;
 }
 
+glsl::View movedAside(glsl::View view, const Eye& eye, const glm::dvec2& by)
+{
+    glm::dmat4 clip = eye.clipFromRelative;
+    for (int column = 0; column < 4; ++column) // by the same share of the picture, however far away
+        clip[column] += glm::dvec4{by * clip[column].w, 0, 0};
+    view.clipFromRelative = glm::mat4{clip};
+    view.jitter = glm::vec2{by};
+    return view;
+}
+
 Volume volumeOf(const Eye& eye)
 {
     const auto through = [&](const glm::dvec3& normal, double offset = 0) {

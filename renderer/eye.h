@@ -26,6 +26,7 @@ double pixelAngle(const Eye& eye); // rad, of a pixel in the picture's middle
 
 // `clipFromRelative` may be a shadow cascade's; the rest is the eye's.
 glsl::View viewBlock(const Eye& eye, const glm::dmat4& clipFromRelative, double time, double exposure);
+glsl::View movedAside(glsl::View view, const Eye& eye, const glm::dvec2& by); // of the picture's half size
 
 // The space that a view can see, as planes in metres from the world's origin: inside where dot(n, p) + d >= 0.
 struct Volume {

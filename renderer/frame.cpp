@@ -1,5 +1,6 @@
 #include "renderer/clouds.h"
 #include "renderer/debug_lines.h"
+#include "renderer/film.h"
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/shaders/shared/lamps.h"
 #include "renderer/state.h"
@@ -14,6 +15,8 @@ namespace {
 constexpr int kLargestSide = 16384;      // pixels; every OpenGL 4.5 has textures of that size
 constexpr double kSmallestPixels = 0.6; // diameter under which an object is left out
 constexpr double kLeastSway = 0.5;      // pixels
+constexpr double kLongestStep = 20;     // m between frames of one flight; what is farther is a cut
+constexpr double kWidestTurn = 40;      // degrees, likewise
 
 // EV that eyes used to the dark add to the exposure by hand, from a sun 7 degrees high to 7 below the horizon: light falls by
 // a factor of a thousand there, and no exposure shows both ends.
@@ -37,6 +40,11 @@ bool needsLight(Show show) // or only what surfaces are
     case Show::ShadowMaps: return false;
     default: return true;
     }
+}
+
+bool exposesItself(const Settings& settings, const Viewpoint& viewpoint)
+{
+    return settings.autoExposure && viewpoint.autoExposure.on;
 }
 
 } // namespace
@@ -67,6 +75,8 @@ Picture Renderer::State::render(const FrameInput& in)
     scenery.terrain.aim(viewpoint.eye, viewpoint.culledFor, in.settings.lod ? in.settings.lodPixels : 1.0f);
     lamps.render(gpu, scenery, viewpoint, in.settings);
     shadow.render(gpu, scenery, viewpoint, in.settings);
+    if (exposesItself(in.settings, viewpoint)) exposure.bind(gpu, viewpoint.view);
+    else exposure.forget();
     const GeometryPass::Drawn drawn = drawSurfaces(gpu, in, viewpoint);
     const GBuffer& surfaces = geometry.finish();
 
@@ -75,14 +85,18 @@ Picture Renderer::State::render(const FrameInput& in)
     Radiance& hdr = lit ? lighting.render(gpu, surfaces, viewpoint, in.settings) : lighting.unlit(surfaces);
     if (lit) sky.render(gpu, hdr, viewpoint, in.settings, clouds.areInSky());
     if (lit) clouds.render(gpu, hdr, surfaces, in.settings);
+    if (lit) shafts.render(gpu, hdr, surfaces, viewpoint, in.settings);
     transparent.render(gpu, hdr, surfaces, scenery, viewpoint, drawn.objects, in.ghosts, in.settings);
     radiance = lit ? &hdr : nullptr;
+    if (lit) expose(gpu, in, hdr, surfaces, viewpoint);
 
     const bool final = in.show == Show::Final;
-    if (final) toneMap.render(gpu, canvas, hdr, in.settings);
+    if (final) develop(gpu, in, hdr, surfaces, viewpoint);
     else show.render(gpu, canvas, in.show, hdr, surfaces, scenery, viewpoint, drawn, in.settings);
     const std::span<const io::ObjectId> outlined = final ? in.selection : std::span<const io::ObjectId>{};
     overlay.render(gpu, canvas, surfaces, viewpoint, scenery.world.boundsOf(outlined), linesOf(in, viewpoint));
+    stats.gathering = viewpoint.gathered && *viewpoint.gathered < kTemporalFrames;
+    last = {viewpoint.eye, in.time, viewpoint.gathered};
     stats.cullingFrozen = in.freezeCulling;
     if (in.freezeCulling && !frozen) frozen = {viewpoint.eye, occlusionOf(in.settings) != Occlusion::Off};
     stats.uploadedBytes = stream.taken() + scenery.world.uploadedBytes() - uploaded;
@@ -103,7 +117,11 @@ Viewpoint Renderer::State::look(const FrameInput& in, io::Environment environmen
     v.heavens = heavensOf(environment, v.bodies);
     v.wind = windOf(environment.wind, in.settings.wind, v.eye.position, in.time);
     if (!environment.autoExposure.on) environment.exposure += usedToTheDark(v.bodies.towardSun);
-    v.view = viewBlock(v.eye, v.eye.clipFromRelative, in.time, environment.exposure);
+    v.still = viewBlock(v.eye, v.eye.clipFromRelative, in.time, environment.exposure);
+    v.gathered = gathered(in, v.eye);
+    v.view = in.ids || !v.gathered ? v.still : movedAside(v.still, v.eye, jitterOf(*v.gathered, v.eye.size));
+    v.autoExposure = environment.autoExposure;
+    v.grading = environment.grading;
     v.occlusion = environment.occlusion;
     if (in.settings.lamps) v.lamps = scenery.lamps.inView(v.eye, MOST_LAMPS);
     v.light = lightOf({.environment = environment,
@@ -115,7 +133,51 @@ Viewpoint Renderer::State::look(const FrameInput& in, io::Environment environmen
     const bool sunUp = v.towardSun.y > -0.02;
     if (in.settings.shadows && sunUp) v.cascades = cascadesOf(v.eye, environment.shadows, v.towardSun, v.light.sunRadius);
     v.shadows = shadowConstants(environment.shadows, v.cascades);
+    addShafts(v, environment.fog, in.settings);
     return v;
+}
+
+// Whether this frame is the next picture of the same film: nothing that was gathered or adapted to outlives a cut.
+bool Renderer::State::goesOn(const Eye& eye) const
+{
+    return last && last->eye.size == eye.size && last->eye.tanHalfFov == eye.tanHalfFov &&
+           glm::distance(last->eye.position, eye.position) < kLongestStep &&
+           glm::dot(last->eye.forward, eye.forward) > std::cos(glm::radians(kWidestTurn));
+}
+
+// How many frames before this one it can be gathered with; none when it is not to be.
+std::optional<int> Renderer::State::gathered(const FrameInput& in, const Eye& eye) const
+{
+    if (in.settings.antiAliasing != AntiAliasing::Taa || in.show != Show::Final) return std::nullopt;
+    return goesOn(eye) && last->gathered ? *last->gathered + 1 : 0;
+}
+
+// Binds the camera's block for what makes a picture of light: not moved aside, with the exposure of this very frame. It
+// follows the light as time goes on; where time stands still it is there at once, so that a still picture depends on
+// nothing that was before.
+void Renderer::State::expose(GpuFrame& gpu, const FrameInput& in, const Radiance& hdr, const GBuffer& surfaces, const Viewpoint& viewpoint)
+{
+    if (!exposesItself(in.settings, viewpoint)) return gpu.constants(VIEW_BINDING, viewpoint.still);
+    std::optional<double> seconds;
+    if (goesOn(viewpoint.eye) && in.time > last->time) seconds = in.time - last->time;
+    exposure.choose(gpu, hdr, surfaces, viewpoint.still, viewpoint.autoExposure, seconds);
+}
+
+// From light to the picture that is shown.
+void Renderer::State::develop(GpuFrame& gpu, const FrameInput& in, const Radiance& hdr, const GBuffer& surfaces, const Viewpoint& viewpoint)
+{
+    const Settings& settings = in.settings;
+    const glsl::Film film = filmOf(viewpoint.grading, settings, in.time);
+    if (!viewpoint.gathered) temporal.forget();
+    const gl::Texture& light =
+        viewpoint.gathered ? temporal.render(gpu, hdr, surfaces, viewpoint.eye, last ? last->eye : viewpoint.eye, *viewpoint.gathered) : hdr.texture;
+    const bool spared = settings.skyPixels > 1; // a machine that pays for each tap
+    const gl::Texture* scattered = film.bloom > 0 ? &bloom.render(gpu, light, spared) : nullptr;
+    PictureTarget& rough = smoothing.begin(canvas, settings.antiAliasing);
+    toneMap.render(gpu, rough,
+                   {.radiance = light, .bloom = scattered, .surfaces = surfaces, .film = film, .chosenExposure = exposure.chosen()},
+                   settings);
+    smoothing.finish(gpu, canvas, settings.antiAliasing);
 }
 
 Occlusion Renderer::State::occlusionOf(const Settings& settings) const

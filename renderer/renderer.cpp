@@ -48,7 +48,8 @@ io::Image readTexture(const gl::Texture& texture, int channels, io::PixelType ty
 
 Renderer::State::State(const Options& options)
     : debug{options.debug}, shaders{options.shaders}, impostors{shaders, options.kept}, chooser{shaders}, pyramid{shaders}, clouds{shaders}, skyTables{shaders}, shadow{shaders}, geometry{shaders},
-      lamps{shaders}, occlusion{shaders}, lighting{shaders}, sky{shaders}, transparent{shaders}, toneMap{shaders}, show{shaders},
+      lamps{shaders}, occlusion{shaders}, lighting{shaders}, sky{shaders}, shafts{shaders}, transparent{shaders}, temporal{shaders}, exposure{shaders},
+      bloom{shaders}, toneMap{shaders}, smoothing{shaders}, show{shaders},
       overlay{shaders}, thumbnails{shaders}
 {
 }
@@ -77,6 +78,7 @@ void Renderer::update(const io::Scene& scene, const io::Assets& assets, const io
     if (changes.everything) {
         m_state->thumbnails.forgetAll();
         m_state->frozen.reset(); // of another world: the next frame is kept instead
+        m_state->last.reset();
     }
     for (const io::TemplateId id : changes.templates)
         m_state->thumbnails.forget(id);
@@ -120,6 +122,12 @@ std::vector<std::uint32_t> Renderer::readIds(glm::ivec2 topLeft, glm::ivec2 size
         std::copy_n(read.begin() + std::ptrdiff_t(y) * part.x, part.x,
                     result.begin() + std::ptrdiff_t(low.y - topLeft.y + y) * size.x + (low.x - topLeft.x));
     return result;
+}
+
+double Renderer::readExposure()
+{
+    if (m_state->exposure.chosen()) return m_state->exposure.read();
+    return m_state->scenery.environment.exposure;
 }
 
 Picture Renderer::thumbnail(io::TemplateId id, int pixels)

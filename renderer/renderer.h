@@ -76,6 +76,7 @@ struct FrameStats {
     std::uint64_t instancesHidden = 0;     // of those, behind other things
     bool occlusionTested = false;          // else none are known to be hidden
     bool cullingFrozen = false;
+    bool gathering = false;                // the next frame of the same view would be smoother: --set render.aa=taa
     std::array<std::uint64_t, 8> trianglesOfLevel{}; // of objects by level of detail
     std::uint64_t uploadedBytes = 0;       // what the frame handed to the GPU: records, commands, constants
     std::uint64_t gpuBytes = 0;            // buffers and textures of ours
@@ -115,6 +116,8 @@ public:
     io::Image readPicture();  // RGBA8, as shown
     io::Image readRadiance(); // RGB F32, scene-linear before exposure and tone mapping; of Show::Final
     std::vector<std::uint32_t> readIds(glm::ivec2 topLeft, glm::ivec2 size); // object ids, 0 none, kTerrainId ground; of a frame that kept them
+
+    double readExposure(); // EV that the last frame was shown with, chosen by hand or by itself
 
     // A small picture of a model on a plain ground in studio light; kept until the template changes.
     Picture thumbnail(io::TemplateId id, int pixels);

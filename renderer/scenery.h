@@ -7,9 +7,12 @@
 #include "renderer/heavens.h"
 #include "renderer/lamps.h"
 #include "renderer/light.h"
+#include "renderer/shaders/shared/shafts.h"
 #include "renderer/shadow_constants.h"
 #include "renderer/terrain.h"
 #include "renderer/world.h"
+
+#include <optional>
 
 namespace renderer {
 
@@ -22,6 +25,8 @@ struct Scenery {
     io::Environment environment;
 };
 
+enum class Shafts { None, Volume, Screen }; // of light in fog: in froxels, or from what the picture shows
+
 // One frame's camera and light, bound for every pass.
 struct Viewpoint {
     Eye eye;
@@ -32,12 +37,18 @@ struct Viewpoint {
     std::vector<Cascade> cascades; // empty: no shadows
     std::vector<Lamp> lamps;       // in view, brightest first; empty: none, or switched off
     glsl::View view;
+    glsl::View still; // the same, not moved aside
+    std::optional<int> gathered; // frames before this one that it is gathered with; none: it stands for itself
     glsl::Wind wind;
     double time = 0; // s
     glsl::Light light;
     glsl::Shadows shadows;
     io::Occlusion occlusion;
+    io::AutoExposure autoExposure;
+    io::Grading grading;
     glsl::Heavens heavens;
+    Shafts shafts = Shafts::None;
+    glsl::Shafts shaftConstants{};
 };
 
 } // namespace renderer

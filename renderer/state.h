@@ -4,6 +4,8 @@
 #include "renderer/choosing.h"
 #include "renderer/gl/debug.h"
 #include "renderer/impostor_baker.h"
+#include "renderer/passes/bloom.h"
+#include "renderer/passes/exposure.h"
 #include "renderer/passes/clouds.h"
 #include "renderer/passes/geometry.h"
 #include "renderer/passes/lamps.h"
@@ -12,7 +14,11 @@
 #include "renderer/passes/overlay.h"
 #include "renderer/passes/picture.h"
 #include "renderer/passes/shadow.h"
+#include "renderer/passes/shafts.h"
 #include "renderer/passes/sky_tables.h"
+#include "renderer/passes/smoothing.h"
+#include "renderer/passes/temporal.h"
+#include "renderer/passes/tone_map.h"
 #include "renderer/passes/transparent.h"
 #include "renderer/renderer.h"
 #include "renderer/scenery.h"
@@ -25,6 +31,10 @@ struct Renderer::State {
 
     Picture render(const FrameInput& in);
     Viewpoint look(const FrameInput& in, io::Environment environment) const;
+    bool goesOn(const Eye& eye) const;
+    std::optional<int> gathered(const FrameInput& in, const Eye& eye) const;
+    void expose(GpuFrame& gpu, const FrameInput& in, const Radiance& hdr, const GBuffer& surfaces, const Viewpoint& viewpoint);
+    void develop(GpuFrame& gpu, const FrameInput& in, const Radiance& hdr, const GBuffer& surfaces, const Viewpoint& viewpoint);
     Occlusion occlusionOf(const Settings& settings) const;
     std::vector<Line> linesOf(const FrameInput& in, const Viewpoint& viewpoint) const;
     GeometryPass::Drawn drawSurfaces(GpuFrame& gpu, const FrameInput& in, const Viewpoint& viewpoint);
@@ -50,8 +60,13 @@ struct Renderer::State {
     OcclusionPass occlusion;
     LightingPass lighting;
     SkyPass sky;
+    ShaftsPass shafts;
     TransparentPass transparent;
+    TemporalPass temporal;
+    ExposurePass exposure;
+    BloomPass bloom;
     ToneMapPass toneMap;
+    SmoothingPass smoothing;
     ShowPass show;
     OverlayPass overlay;
     Thumbnails thumbnails;
@@ -61,6 +76,13 @@ struct Renderer::State {
         bool looked = false; // it knows what was hidden
     };
     std::optional<Frozen> frozen;
+
+    struct Last { // frame, as far as the next one goes on from it
+        Eye eye;
+        double time = 0; // s
+        std::optional<int> gathered; // how many frames before it are in what was gathered with it
+    };
+    std::optional<Last> last; // none: nothing to go on from
 
     PictureTarget canvas;
     Radiance* radiance = nullptr; // of the last frame, if that has any

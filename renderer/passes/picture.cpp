@@ -2,7 +2,6 @@
 
 #include "renderer/passes/occlusion.h"
 #include "renderer/shaders/shared/bindings.h"
-#include "renderer/shaders/shared/tone_map.h"
 
 namespace renderer {
 
@@ -12,34 +11,6 @@ void PictureTarget::resize(std::string_view label, glm::ivec2 size)
     texture = gl::Texture{{.label = label, .size = size, .format = GL_RGBA8, .target = true}};
     glTextureParameteri(texture.id(), GL_TEXTURE_SWIZZLE_A, GL_ONE); // whoever shows it in a panel sees it opaque
     framebuffer = gl::Framebuffer{{.label = label, .colours = {&texture}}};
-}
-
-ToneMapPass::ToneMapPass(ShaderLibrary& shaders) : m_shaders{shaders}, m_smooth{shaders.fullScreen("fxaa")}
-{
-    shaders.fullScreen("tone_map", {"CURVE 0"});
-}
-
-void ToneMapPass::render(GpuFrame& gpu, PictureTarget& canvas, const Radiance& radiance, const Settings& settings)
-{
-    static_assert(int(ToneMap::Agx) == TONE_AGX && int(ToneMap::Reinhard) == TONE_REINHARD);
-    const auto scope = gpu.scope("tone map");
-    const gl::Program& curve = m_shaders.fullScreen("tone_map", {"CURVE " + std::to_string(int(settings.toneMap))});
-    const bool smooth = settings.antiAliasing == AntiAliasing::Fxaa;
-    if (smooth) {
-        m_rough.resize("picture with rough edges", canvas.texture.size());
-        glTextureParameteri(m_rough.texture.id(), GL_TEXTURE_SWIZZLE_A, GL_ALPHA); // the brightness
-    }
-    PictureTarget& first = smooth ? m_rough : canvas;
-    first.framebuffer.bind();
-    gpu.fullScreen(curve, {}, {{IMAGE_UNIT, &radiance.texture}});
-    if (!smooth) return;
-
-    // Most pixels lie on no edge: they are copied, and the smoothing writes the rest.
-    const glm::ivec2 size = canvas.texture.size();
-    glCopyImageSubData(m_rough.texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, canvas.texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
-                       size.x, size.y, 1);
-    canvas.framebuffer.bind();
-    gpu.fullScreen(m_smooth, {}, {{IMAGE_UNIT, &m_rough.texture}});
 }
 
 ShowPass::ShowPass(ShaderLibrary& shaders)

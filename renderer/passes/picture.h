@@ -1,4 +1,4 @@
-// From radiance to the picture: exposure, tone mapping, edge smoothing; or one buffer of the frame instead.
+// The picture that is shown, and one buffer of the frame in its place.
 #pragma once
 
 #include "renderer/passes/lighting.h"
@@ -9,17 +9,6 @@ struct PictureTarget { // RGBA8, sRGB-encoded values
     gl::Texture texture;
     gl::Framebuffer framebuffer;
     void resize(std::string_view label, glm::ivec2 size);
-};
-
-class ToneMapPass {
-public:
-    explicit ToneMapPass(ShaderLibrary& shaders);
-    void render(GpuFrame& gpu, PictureTarget& canvas, const Radiance& radiance, const Settings& settings);
-
-private:
-    ShaderLibrary& m_shaders;
-    const gl::Program& m_smooth;
-    PictureTarget m_rough; // before its edges are smoothed
 };
 
 class ShowPass {

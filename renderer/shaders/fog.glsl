@@ -11,10 +11,12 @@ float fogTransmittance(vec3 relative)
     return exp(-light.fogDensity * length(relative) * share);
 }
 
-// Near haze is lit from all around, far haze takes the colour of the sky behind it.
+// Near haze is lit from all around, and by the sky well over the horizon; haze that hides what is behind it takes the colour
+// of the sky that would be seen there.
 vec3 fogColour(vec3 direction, float distance_)
 {
-    vec3 towards = normalize(vec3(direction.x, max(direction.y, 0.015), direction.z));
+    float near = exp(-distance_ * max(1.0 / 1600.0, light.fogDensity));
+    vec3 towards = normalize(vec3(direction.x, max(direction.y, 0.1 * near), direction.z));
     vec3 around = skyLight.haze.rgb * light.sunAbove + light.skyFloor * 2.76;
-    return mix(skyUnderClouds(skyRadiance(towards), towards.y), around, 0.65 * exp(-distance_ * (1.0 / 1600.0))) * light.fogTint;
+    return mix(skyUnderClouds(skyRadiance(towards), towards.y), around, 0.65 * near) * light.fogTint;
 }

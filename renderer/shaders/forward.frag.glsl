@@ -6,6 +6,7 @@
 #include "lamps.glsl"
 #endif
 #include "material.glsl"
+#include "shafts.glsl"
 #include "weather_surface.glsl"
 
 layout(location = 11) in vec3 relative;
@@ -51,6 +52,9 @@ void main()
     lit = throughAir(lit, relative);
     float through = fogTransmittance(relative);
     lit = lit * through + fogColour(normalize(relative), length(relative)) * (1.0 - through);
+#if defined(SHAFTS_VOLUME) || defined(SHAFTS_SCREEN)
+    lit = max(lit - missingInFog(gl_FragCoord.xy * view.texel, relative), vec3(0.0));
+#endif
 #endif
     radiance = vec4(min(lit, vec3(60000.0)), alpha);
 #ifdef WRITE_ID

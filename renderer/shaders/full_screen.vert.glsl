@@ -8,6 +8,7 @@ void main()
 {
     uv = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);
     vec2 ndc = uv * 2.0 - 1.0;
-    ray = view.forward + view.right * ndc.x + view.up * ndc.y;
+    vec2 still = ndc - view.jitter;
+    ray = view.forward + view.right * still.x + view.up * still.y;
     gl_Position = vec4(ndc, 0.0, 1.0);
 }

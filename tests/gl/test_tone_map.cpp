@@ -19,6 +19,63 @@ TEST(ToneMap, NeutralIsKhronos)
     EXPECT_NEAR(orange.z, 0.589621, 1e-5);
 }
 
+// Hill's published matrices, by rows, in double precision.
+TEST(ToneMap, AcesIsHills)
+{
+    const auto rows = [](const double (&m)[3][3], const glm::dvec3& v) {
+        glm::dvec3 r{0};
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                r[i] += m[i][j] * v[j];
+        return r;
+    };
+    constexpr double kIn[3][3] = {{0.59719, 0.35458, 0.04823}, {0.07600, 0.90834, 0.01566}, {0.02840, 0.13383, 0.83777}};
+    constexpr double kOut[3][3] = {{1.60475, -0.53108, -0.07367}, {-0.10208, 1.10813, -0.00605}, {-0.00327, -0.07276, 1.07602}};
+    for (const glm::dvec3 c : {glm::dvec3{0.18}, {1, 1, 1}, {4, 0.5, 0.1}, {0.02, 0.3, 0.9}, {0, 0, 0}, {50, 50, 50}}) {
+        const glm::dvec3 v = rows(kIn, c);
+        const glm::dvec3 fitted = (v * (v + 0.0245786) - 0.000090537) / (v * (0.983729 * v + 0.4329510) + 0.238081);
+        const glm::dvec3 wanted = glm::clamp(rows(kOut, fitted), 0.0, 1.0);
+        const glm::dvec3 got{glsl::toneMapAces(glm::vec3{c})};
+        for (int i = 0; i < 3; ++i)
+            EXPECT_NEAR(got[i], wanted[i], 2e-5) << c.x << " " << i;
+    }
+}
+
+// Reinhard et al. 2002, equation 4: white where the luminance is that of white.
+TEST(ToneMap, ReinhardIsReinhards)
+{
+    for (const double l : {0.01, 0.18, 1.0, 2.5, 4.0})
+        EXPECT_NEAR(glsl::toneMapReinhard(glm::vec3{float(l)}).x, l * (1 + l / 16) / (1 + l), 1e-5) << l;
+    EXPECT_NEAR(glsl::toneMapReinhard(glm::vec3{4}).x, 1, 1e-5);
+    const glm::vec3 warm = glsl::toneMapReinhard({0.4f, 0.2f, 0.1f});
+    EXPECT_NEAR(warm.x / warm.y, 2, 1e-4) << "hues stay";
+}
+
+// Sobotka's AgX: a sigmoid in log2 from 10 stops under middle grey to 6.5 above it, which puts middle grey at one half and
+// rises there by 2, toe of power 3 and shoulder of 3.25; Wrensch fitted the polynomial to it.
+TEST(ToneMap, AgxIsSobotkas)
+{
+    const auto sigmoid = [](double x) {
+        constexpr double kPivotX = 10 / 16.5, kPivotY = 0.5, kSlope = 2;
+        const bool shoulder = x >= kPivotX;
+        const double power = shoulder ? 3.25 : 3.0; // as in his configuration
+        const double reachX = shoulder ? 1 - kPivotX : kPivotX, reachY = shoulder ? 1 - kPivotY : kPivotY;
+        const double scale = std::pow(std::pow(kSlope * reachX, -power) * (std::pow(kSlope * reachX / reachY, power) - 1), -1 / power);
+        const double t = kSlope * std::abs(x - kPivotX) / scale;
+        const double risen = scale * t / std::pow(1 + std::pow(t, power), 1 / power);
+        return shoulder ? kPivotY + risen : kPivotY - risen;
+    };
+    double squares = 0;
+    for (int i = 0; i <= 100; ++i) {
+        const double error = double(glsl::agxCurve(float(i) / 100)) - sigmoid(i / 100.0);
+        squares += error * error / 101;
+        EXPECT_LT(std::abs(error), 0.01) << i;
+    }
+    RecordProperty("mean square error", std::to_string(squares));
+    EXPECT_LT(squares, 1e-5);
+    EXPECT_NEAR(glsl::agxCurve(float(10 / 16.5)), 0.5, 0.01);
+}
+
 TEST(ToneMap, EveryCurveRisesAndStaysInRange)
 {
     for (const int curve : {TONE_AGX, TONE_NEUTRAL, TONE_ACES, TONE_REINHARD}) {

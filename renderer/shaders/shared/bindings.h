@@ -12,9 +12,11 @@
 #define SHADOWS_BINDING 6
 #define LAMPS_BINDING 7
 #define CLOUDS_BINDING 8
+#define PICTURE_BINDING 9 // light shafts, or the exposure that was chosen
 
 // Storage blocks
 #define SKY_LIGHT_STORAGE_BINDING 0 // the same buffer while it is written
+#define EXPOSURE_STORAGE_BINDING 1
 
 #define CULL_RECORDS_BINDING 0
 #define CULL_MODELS_BINDING 1
@@ -65,6 +67,9 @@
 #define CLOUD_SHAPE_UNIT 21
 #define CLOUD_DETAIL_UNIT 22
 #define CLOUD_IMAGE_UNIT 23
+#define SHAFTS_UNIT 24  // a volume, or a small picture
+#define BLOOM_UNIT 25
+#define HISTORY_UNIT 26 // the last frame; while edges are smoothed, where they are
 
 // Records that vertices read are buffer textures: software GL fetches a texel far faster than it reads a storage block.
 #define MATERIALS_UNIT 14

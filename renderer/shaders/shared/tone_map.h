@@ -17,7 +17,7 @@ SHARED_FUNCTION float luminance(vec3 c)
 
 SHARED_FUNCTION float agxCurve(float x)
 {
-    // Sobotka's AgX sigmoid: slope 2.4, pivot at middle grey, powers 1.5 (toe) and 1.5 (shoulder), as one smooth
+    // Sobotka's AgX sigmoid: slope 2 at middle grey, powers 3 (toe) and 3.25 (shoulder), as one smooth
     // polynomial (Wrensch, "Minimal AgX Implementation", 2023).
     float x2 = x * x;
     float x4 = x2 * x2;
@@ -33,7 +33,7 @@ SHARED_FUNCTION vec3 agxForGamma22(vec3 c)
     const mat3 outset = mat3(1.19687900512017f, -0.0528968517574562f, -0.0529716355144438f, -0.0980208811401368f,
                              1.15190312990417f, -0.0980434501171241f, -0.0990297440797205f, -0.0989611768448433f,
                              1.15107367264116f);
-    const float darkest = -12.47393f; // EV from middle grey
+    const float darkest = -12.47393f; // log2: ten stops under middle grey, and six and a half above it
     const float brightest = 4.026069f;
     vec3 v = inset * max(c, vec3(0.0f));
     v = clamp((log2(max(v, vec3(1e-10f))) - darkest) / (brightest - darkest), vec3(0.0f), vec3(1.0f));

@@ -12,8 +12,9 @@ struct View {
     vec3 right;    float pixelAngle; // half the picture's width and height at distance 1; radians that a pixel
     vec3 up;       float eyeHeight;  // covers at the centre; m, as one float
     ivec2 size;    vec2 texel;      // pixels, 1 / size
+    vec2 jitter;   vec2 unused;     // by which clipFromRelative moves the picture, of its half size
 };
-SHARED_STRUCT_END(View, 160)
+SHARED_STRUCT_END(View, 176)
 
 SHARED_END
 #endif

@@ -49,6 +49,8 @@ io::Environment plainEnvironment(float azimuth, float elevation)
     environment.clouds.coverage = 0;
     environment.fog.density = 0;
     environment.shadows.resolution = 1024;
+    environment.grading.bloom = 0;
+    environment.grading.vignette = 0;
     return environment;
 }
 

@@ -9,7 +9,7 @@ namespace test {
 bool haveContext(); // made at the first call; the fault is printed once
 renderer::Renderer& shared();
 
-// An environment that is easy to reason about: no clouds, no fog, the sun where it is put.
+// An environment that is easy to reason about: no clouds, no fog, a lens without faults, the sun where it is put.
 io::Environment plainEnvironment(float azimuth, float elevation);
 
 void load(TestWorld& world);

@@ -1,0 +1,38 @@
+// The light that is missing in fog because something stands before the sun. Fog is drawn as if all of it were lit, in one
+// way on every machine; this is taken away from it. Wants SHAFTS_VOLUME (froxels) or SHAFTS_SCREEN.
+#include "fog.glsl"
+#include "shared/atmosphere.h"
+#include "shared/shafts.h"
+#include "view.glsl"
+
+layout(std140, binding = PICTURE_BINDING) uniform ShaftsBlock { Shafts shafts; };
+
+// Share of the light in fog that comes from the sun itself; the rest is the sky's, and does not end in shadows.
+vec3 sunShareOfFog(vec3 direction)
+{
+    vec3 sun = light.sunIrradiance * miePhase(light.atmosphere.mieG, dot(direction, light.towardSun));
+    vec3 sky = skyLight.haze.rgb * light.sunAbove + light.skyFloor * 2.76;
+    return sun / max(sun + sky, vec3(1e-9));
+}
+
+#ifdef SHAFTS_VOLUME
+layout(binding = SHAFTS_UNIT) uniform sampler3D shaftVolume; // what is missing up to each slice's end
+
+vec3 missingInFog(vec2 uv, vec3 relative)
+{
+    float slices = sqrt(clamp(dot(relative, view.forward) / shafts.range, 0.0, 1.0)) * float(SHAFTS_SLICES);
+    return textureLod(shaftVolume, vec3(uv, (slices - 0.5) / float(SHAFTS_SLICES)), 0.0).rgb * min(slices, 1.0);
+}
+#endif
+
+#ifdef SHAFTS_SCREEN
+layout(binding = SHAFTS_UNIT) uniform sampler2D shaftPicture; // share of light from behind the fog that its dark parts would take
+
+vec3 missingInFog(vec2 uv, vec3 relative)
+{
+    vec3 direction = normalize(relative);
+    // A small picture blurs over edges: what is near has no more fog before it than that.
+    float dark = min(textureLod(shaftPicture, uv, 0.0).r, 1.0 - fogTransmittance(relative));
+    return fogColour(direction, length(relative)) * sunShareOfFog(direction) * (dark * shafts.strength);
+}
+#endif

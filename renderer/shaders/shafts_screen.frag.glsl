@@ -1,0 +1,42 @@
+// Shafts from the picture's own depth, after the radial gathering of Mitchell, "Volumetric Light Scattering as a
+// Post-Process" (GPU Gems 3, ch. 13), but knowing how deep things lie. A place in the fog at depth t on this pixel's ray
+// sends a ray to the sun that runs over the picture towards it; at the share f of the way its depth is t / (1 - f). So what
+// stands there at depth z, some metres thick, darkens the fog from z (1 - f) on.
+#include "shafts.glsl"
+
+layout(binding = GBUFFER_DEPTH_UNIT) uniform sampler2D gbufferDepth;
+layout(location = 0) in vec2 uv;
+layout(location = 1) in vec3 ray;
+layout(location = 0) out float dark; // share of light from behind the fog that its dark parts would take
+
+const int kTaps = 32;
+const float kSky = 1e5;            // m
+const float kThickness = 0.12;     // of what stands there, of its distance
+const float kLeastThickness = 1.5; // m
+
+float depthAt(vec2 place)
+{
+    ivec2 size = textureSize(gbufferDepth, 0);
+    float depth = texelFetch(gbufferDepth, clamp(ivec2(place * vec2(size)), ivec2(0), size - 1), 0).r;
+    return depth > 0.0 ? view.near / depth : kSky;
+}
+
+void main()
+{
+    float own = depthAt(uv);
+    float noise = interleavedNoise(gl_FragCoord.xy);
+    float covered = 0.0; // m, up to which it is known
+    dark = 0.0;
+    for (int i = 0; i < kTaps; ++i) { // from the sun to here: places in the fog come nearest first
+        float left = (float(i) + noise) / float(kTaps); // 1 - f
+        vec2 place = mix(shafts.sun, uv, left);
+        if (any(lessThan(place, vec2(0.0))) || any(greaterThan(place, vec2(1.0)))) continue;
+        float z = depthAt(place);
+        if (z >= kSky) continue;
+        float from = max(z * left, covered);
+        float to = min((z + max(z * kThickness, kLeastThickness)) * (left + 1.0 / float(kTaps)), own);
+        if (to <= from) continue;
+        dark += fogTransmittance(ray * from) - fogTransmittance(ray * to);
+        covered = to;
+    }
+}
