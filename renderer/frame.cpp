@@ -54,7 +54,10 @@ Picture Renderer::State::render(const FrameInput& in)
     const bool lit = needsLight(in.show);
     Radiance& hdr = lit ? lighting.render(gpu, surfaces, viewpoint, in.settings) : lighting.unlit(surfaces);
     if (lit) sky.render(gpu, hdr, viewpoint, in.settings);
+    if (lit) water.render(gpu, hdr, surfaces, scenery.environment, viewpoint, in.settings);
     transparent.render(gpu, hdr, surfaces, scenery, viewpoint, drawn.objects, in.ghosts, in.settings);
+    if (lit) particles.render(gpu, hdr, surfaces, scenery, viewpoint, in.settings);
+    if (lit) precipitation.render(gpu, hdr, surfaces, scenery.environment, viewpoint, in.settings);
     radiance = lit ? &hdr : nullptr;
 
     const bool final = in.show == Show::Final;

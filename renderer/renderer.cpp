@@ -48,7 +48,7 @@ io::Image readTexture(const gl::Texture& texture, int channels, io::PixelType ty
 
 Renderer::State::State(const Options& options)
     : debug{options.debug}, shaders{options.shaders}, impostors{shaders, options.kept}, chooser{shaders}, pyramid{shaders}, skyTables{shaders}, shadow{shaders}, geometry{shaders},
-      lighting{shaders}, sky{shaders}, transparent{shaders}, toneMap{shaders}, show{shaders},
+      lighting{shaders}, sky{shaders}, water{shaders}, transparent{shaders}, particles{shaders}, precipitation{shaders}, toneMap{shaders}, show{shaders},
       overlay{shaders}, thumbnails{shaders}
 {
 }
@@ -73,6 +73,7 @@ void Renderer::update(const io::Scene& scene, const io::Assets& assets, const io
     if (changes.environment || changes.everything) scenery.environment = scene.environment();
     scenery.terrain.update(scene, assets, changes);
     scenery.world.update(scene, assets, changes);
+    scenery.particles.update(scene, changes);
     if (changes.everything) {
         m_state->thumbnails.forgetAll();
         m_state->frozen.reset(); // of another world: the next frame is kept instead

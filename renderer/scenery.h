@@ -5,6 +5,7 @@
 #include "renderer/eye.h"
 #include "renderer/ground_shadow.h"
 #include "renderer/light.h"
+#include "renderer/particles.h"
 #include "renderer/terrain.h"
 #include "renderer/world.h"
 
@@ -15,6 +16,7 @@ struct Scenery {
     CullTable cullTable;
     Terrain terrain;
     GroundShadow groundShadow;
+    ParticleSources particles;
     io::Environment environment;
 };
 

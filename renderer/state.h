@@ -7,10 +7,13 @@
 #include "renderer/passes/geometry.h"
 #include "renderer/passes/lighting.h"
 #include "renderer/passes/overlay.h"
+#include "renderer/passes/particles.h"
 #include "renderer/passes/picture.h"
+#include "renderer/passes/precipitation.h"
 #include "renderer/passes/shadow.h"
 #include "renderer/passes/sky_tables.h"
 #include "renderer/passes/transparent.h"
+#include "renderer/passes/water.h"
 #include "renderer/renderer.h"
 #include "renderer/scenery.h"
 #include "renderer/thumbnails.h"
@@ -44,7 +47,10 @@ struct Renderer::State {
     GeometryPass geometry;
     LightingPass lighting;
     SkyPass sky;
+    WaterPass water;
     TransparentPass transparent;
+    ParticlePass particles;
+    PrecipitationPass precipitation;
     ToneMapPass toneMap;
     ShowPass show;
     OverlayPass overlay;

@@ -1,3 +1,4 @@
+#include "projects/make/looks.h"
 #include "projects/make/valley.h"
 #include "projects/make/valley_land.h"
 #include "projects/make/worlds.h"
@@ -74,12 +75,14 @@ io::Status makeValley(const std::filesystem::path& folder, Textures& textures)
     stage.addModels(valleyEntries());
     stage.addMarker("spawn_point", {0.6f, 1.8f, 0.6f});
     stage.addMarker("point_of_interest", {0.5f, 0.5f, 0.5f});
+    stage.addParticles("campfire_smoke", "Camp", smokeOfFire());
     if (io::Status ground = stage.addGround(layers(), 1024, 0, kValleyTop); !ground) return ground;
     stage.setEnvironment(morning());
-    setCamp(stage);
+    const io::ObjectId camp = setCamp(stage);
     layRocks(stage);
     plantForest(stage);
     plantUndergrowth(stage);
+    smokeOverFire(stage, camp); // last, so that the numbers of others stay
     setViews(stage);
     return stage.save();
 }

@@ -8,6 +8,8 @@
 #define TERRAIN_BINDING 2
 #define PASS_BINDING 3
 #define SKY_LIGHT_BINDING 4
+#define WATER_BINDING 10 // and PARTICLES_BINDING: passes of their own
+#define PARTICLES_BINDING 10
 
 // Storage blocks
 #define SKY_LIGHT_STORAGE_BINDING 0 // the same buffer while it is written
@@ -51,6 +53,12 @@
 #define IMAGE_UNIT 10
 #define GROUND_SHADOW_UNIT 11
 #define CLOUD_MAP_UNIT 16
+
+// Of water, and of particles.
+#define RIPPLES_UNIT 27
+#define BEHIND_UNIT 28       // the lit picture that water is drawn over
+#define BEHIND_DEPTH_UNIT 29 // and its depth
+#define PARTICLE_ATLAS_UNIT 27
 
 // Records that vertices read are buffer textures: software GL fetches a texel far faster than it reads a storage block.
 #define MATERIALS_UNIT 14
