@@ -26,7 +26,7 @@ struct Habit { // of a kind
 Habit habitOf(io::ParticleKind kind)
 {
     switch (kind) {
-    case io::ParticleKind::Fire: return {0.35f, 1.5f, 0.5f, 0.10f}; // hot gas speeds up
+    case io::ParticleKind::Fire: return {0.18f, 1.5f, 0.5f, 0.10f}; // hot gas speeds up
     case io::ParticleKind::Dust: return {0.8f, -0.08f, 0.8f, 0.20f};
     case io::ParticleKind::Smoke:
     case io::ParticleKind::None: break;

@@ -54,7 +54,7 @@ io::Template fireLook()
 }
 io::ParticleSource smokeOfFire()
 {
-    return {.kind = io::ParticleKind::Smoke, .rate = 9, .life = 9, .size = 1.7f, .rise = 1.1f, .spread = 0.14f, .offset = {0, 0.75f, 0}};
+    return {.kind = io::ParticleKind::Smoke, .rate = 7, .life = 7, .size = 1.3f, .rise = 1.2f, .spread = 0.12f, .offset = {0, 0.75f, 0}};
 }
 
 } // namespace make

@@ -64,6 +64,13 @@ io::Environment morning()
     environment.fog.height = 90;
     environment.fog.base = 26;
     environment.fog.tint = {1.05f, 1.0f, 0.95f};
+    environment.water.on = true; // fills the stream's bed, which lies lower than all else
+    environment.water.level = 28.5f;
+    environment.water.colour = {0.010f, 0.036f, 0.036f};
+    environment.water.clarity = 1.6f;
+    environment.water.waves = 0.05f;
+    environment.water.wavelength = 2.4f;
+    environment.water.foam = 0.35f;
     return environment;
 }
 

@@ -8,7 +8,7 @@
 namespace renderer {
 namespace {
 
-constexpr int kMost = 9000, kMostWhereCheap = 3000; // in each box
+constexpr int kMost = 16000, kMostWhereCheap = 6000; // in each box
 constexpr double kFlutterPeriod = 1024;             // s, a whole number of each flake's turns
 
 // Where a box that falls is under an eye that moves, wrapped into it.
@@ -33,10 +33,10 @@ glsl::Precipitation precipitationOf(Falling falling, const io::Wind& wind, const
     p.exposure = falling.snow ? 1 / 120.0f : 1 / 28.0f; // as long as an eye sees a streak
     p.movedNear = {movedIn(moved, PRECIPITATION_NEAR), float(time - std::floor(time / kFlutterPeriod) * kFlutterPeriod)};
     p.movedWide = {movedIn(moved, PRECIPITATION_WIDE), 0};
-    const double share = falling.snow ? std::sqrt(rate / 12) : std::pow(rate / 40, 0.6);
+    const double share = falling.snow ? std::sqrt(rate / 5) : std::pow(rate / 20, 0.6);
     p.drops = rate > 0 ? std::clamp(int(std::lround(share * most)), 1, most) : 0;
     p.snow = falling.snow ? 1 : 0;
-    p.size = falling.snow ? 0.011f : 0.0028f;
+    p.size = falling.snow ? 0.015f : 0.003f;
     p.opacity = falling.snow ? 0.9f : 0.42f;
     return p;
 }

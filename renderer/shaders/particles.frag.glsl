@@ -15,7 +15,7 @@ layout(location = 6) flat in vec3 towardSun;
 layout(location = 7) flat in vec4 fog;
 layout(location = 0) out vec4 radiance;
 
-const float kFlame = 1.1;  // radiance of the hottest, where the sun's irradiance is 1
+const float kFlame = 0.85; // radiance of the hottest, where the sun's irradiance is 1
 const vec3 kSmokeAlbedo = vec3(0.42, 0.42, 0.43);
 const vec3 kDustAlbedo = vec3(0.52, 0.44, 0.34);
 

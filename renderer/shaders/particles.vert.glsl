@@ -59,7 +59,7 @@ void main()
     // Thinner as it spreads; faded in and out, and near the eye.
     float ends = smoothstep(0.0, fire ? 0.12 : 0.10, t) * (1.0 - smoothstep(fire ? 0.55 : 0.35, 1.0, t));
     float near = smoothstep(0.15, 0.6 + radius, away);
-    float thick = s.kind == PARTICLE_SMOKE ? 0.34 : (s.kind == PARTICLE_DUST ? 0.22 : 1.0);
+    float thick = s.kind == PARTICLE_SMOKE ? 0.24 : (s.kind == PARTICLE_DUST ? 0.22 : 1.0);
     float share = spark ? (radius * radius) / (drawn * drawn) : 1.0;
     look = vec4(thick * ends * near * share, t, max(0.5 * radius, 0.02), spark ? 4.0 : float(s.kind));
 

@@ -4,8 +4,8 @@
 #include "shared.h"
 SHARED_BEGIN
 
-#define PRECIPITATION_NEAR 9.0f  // m, sides of the boxes
-#define PRECIPITATION_WIDE 30.0f
+#define PRECIPITATION_NEAR 7.0f  // m, sides of the boxes
+#define PRECIPITATION_WIDE 24.0f
 
 struct Precipitation {
     vec3 fall;      float exposure; // m/s, of the mean, with the wind; s that a streak lasts
