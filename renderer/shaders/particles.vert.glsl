@@ -61,7 +61,7 @@ void main()
     float near = smoothstep(0.15, 0.6 + radius, away);
     float thick = s.kind == PARTICLE_SMOKE ? 0.24 : (s.kind == PARTICLE_DUST ? 0.22 : 1.0);
     float share = spark ? (radius * radius) / (drawn * drawn) : 1.0;
-    look = vec4(thick * ends * near * share, t, max(0.5 * radius, 0.02), spark ? 4.0 : float(s.kind));
+    look = vec4(thick * ends * near * share, t, max(0.8 * radius, 0.02), spark ? 4.0 : float(s.kind));
 
     float sun = fire ? 0.0 : sunVisibility(centre, toEye, vec2(0.0));
 #ifdef CLOUD_SHADOWS
