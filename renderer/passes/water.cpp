@@ -17,12 +17,12 @@ void copyOf(gl::Texture& to, const gl::Texture& from, std::string_view label)
     glCopyImageSubData(from.id(), GL_TEXTURE_2D, 0, 0, 0, 0, to.id(), GL_TEXTURE_2D, 0, 0, 0, 0, from.size().x, from.size().y, 1);
 }
 
-std::vector<std::string> definesOf(const Viewpoint& viewpoint, const Settings& settings, const char* geometry)
+std::vector<std::string> definesOf(const Viewpoint& viewpoint, const Settings& settings, const glsl::Water& water)
 {
     std::vector<std::string> defines = lightingDefines(viewpoint, settings);
     if (viewpoint.light.fogDensity > 0) defines.emplace_back("FOG");
     if (settings.skyPixels <= 1) defines.emplace_back("MARCH"); // where the sky is made coarse, mirrors are too
-    if (*geometry) defines.emplace_back(geometry);
+    if (water.height > 0) defines.emplace_back("FROM_BELOW");
     return defines;
 }
 
@@ -61,9 +61,13 @@ void WaterPass::drawPatches(GpuFrame& gpu, const Viewpoint& viewpoint, glsl::Wat
     const std::vector<WaterPatch> patches = waterPatches(water, viewpoint.eye, volume);
     gpu.constants(WATER_BINDING, water);
     const gl::DrawState state{.depthTest = GL_GREATER, .depthWrite = true};
-    if (!patches.empty() && gpu.use(m_shaders.program({.label = "water",
-                                                       .stages = {"water.vert.glsl", "water.frag.glsl"},
-                                                       .defines = definesOf(viewpoint, settings, "PATCHES")}))) {
+    const auto program = [&](const char* label, std::vector<std::string> defines) -> const gl::Program& {
+        return m_shaders.program({.label = label, .stages = {"water.vert.glsl", "water.frag.glsl"}, .defines = std::move(defines)});
+    };
+    std::vector<std::string> defines = definesOf(viewpoint, settings, water);
+    const gl::Program& plain = program("water's plain", defines);
+    defines.emplace_back("PATCHES");
+    if (!patches.empty() && gpu.use(program("water", std::move(defines)))) {
         gl::apply(state);
         const GpuStream::Piece piece = gpu.stream().put(std::span<const WaterPatch>{patches});
         m_patches.source(0, piece.buffer, piece.offset, sizeof(WaterPatch));
@@ -71,10 +75,7 @@ void WaterPass::drawPatches(GpuFrame& gpu, const Viewpoint& viewpoint, glsl::Wat
         glDrawElementsInstanced(GL_TRIANGLES, kIndices, GL_UNSIGNED_SHORT, nullptr, GLsizei(patches.size()));
         gpu.count(1, patches.size() * kIndices / 3);
     }
-    if (!gpu.use(m_shaders.program({.label = "water's plain",
-                                    .stages = {"water.vert.glsl", "water.frag.glsl"},
-                                    .defines = definesOf(viewpoint, settings, "")})))
-        return;
+    if (!gpu.use(plain)) return;
     gl::apply(state);
     glBindVertexArray(m_plain.id());
     glDrawArrays(GL_TRIANGLE_STRIP, 0, kPlainCorners);

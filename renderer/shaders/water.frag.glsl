@@ -1,4 +1,4 @@
-// Water from above and from below: what lies in it through its depth, the sky and the shore mirrored in it, the sun's glitter
+// Water from above, or from below (FROM_BELOW): what lies in it through its depth, the sky and the shore mirrored in it, the sun's glitter
 // on slopes too small to be seen (Bruneton, Neyret and Holzschuch, "Real-time Realistic Ocean Lighting", 2010), foam.
 #include "fog.glsl"
 #include "lighting.glsl"
@@ -109,7 +109,6 @@ void main()
     vec3 relative = relativeFromDepth(ray, max(gl_FragCoord.z, 1e-7));
     float away = length(relative);
     vec3 toEye = -relative / away;
-    bool fromBelow = water.height > 0.0;
 
 #ifdef PATCHES
     vec2 place = rest;
@@ -119,7 +118,9 @@ void main()
     WaterShape s = shapeAt(place, away * view.pixelAngle / max(abs(toEye.y), 0.03));
     float pattern = addRipples(s, place);
     vec3 normal = normalize(vec3(-s.slope.x, 1.0, -s.slope.y));
-    normal = fromBelow ? -normal : normal;
+#ifdef FROM_BELOW
+    normal = -normal;
+#endif
     float facing = dot(normal, toEye);
     normal = facing < 0.02 ? normalize(normal + toEye * (0.02 - facing)) : normal;
     float cosine = max(dot(normal, toEye), 0.02);
@@ -133,36 +134,36 @@ void main()
     vec3 deep = water.colour * around;
 
     vec3 lit;
-    if (fromBelow) {
-        // Snell's window, and the water's own colour mirrored around it.
-        float bent2 = kDense * kDense * (1.0 - cosine * cosine);
-        float f = bent2 >= 1.0 ? 1.0 : fresnelOfWater(sqrt(max(1.0 - bent2, 0.0)), 0.0);
-        vec2 there = clamp(uv + normal.xz * 0.06, 0.5 * view.texel, 1.0 - 0.5 * view.texel);
-        lit = mix(textureLod(behind, there, 0.0).rgb, deep, f);
-    } else {
-        float straight = depthBelow(uv, relative.y);
-        vec2 there = bentBy(uv, normal, away, straight);
-        float below = max(depthBelow(there, relative.y), 0.0);
-        vec3 ground = textureLod(behind, there, 0.0).rgb;
-        // The way to the ground of a ray that the surface bends.
-        float slant = sqrt(1.0 - (1.0 - toEye.y * toEye.y) / (kDense * kDense));
-        float through = exp(-water.extinction * below / slant);
-        // Light that a crest lets through, towards the sun.
-        float crest = clamp(s.crowding, 0.0, 1.0) * pow(clamp(-dot(toEye, light.towardSun), 0.0, 1.0), 3.0) * sun;
-        vec3 inside = mix(deep + water.colour * light.sunIrradiance * (0.6 * crest), ground, through);
+#ifdef FROM_BELOW
+    // Snell's window, and the water's own colour mirrored around it.
+    float bent2 = kDense * kDense * (1.0 - cosine * cosine);
+    float f = bent2 >= 1.0 ? 1.0 : fresnelOfWater(sqrt(max(1.0 - bent2, 0.0)), 0.0);
+    vec2 there = clamp(uv + normal.xz * 0.06, 0.5 * view.texel, 1.0 - 0.5 * view.texel);
+    lit = mix(textureLod(behind, there, 0.0).rgb, deep, f);
+#else
+    float straight = depthBelow(uv, relative.y);
+    vec2 there = bentBy(uv, normal, away, straight);
+    float below = max(depthBelow(there, relative.y), 0.0);
+    vec3 ground = texelFetch(behind, ivec2(there * vec2(view.size)), 0).rgb;
+    // The way to the ground of a ray that the surface bends.
+    float slant = sqrt(1.0 - (1.0 - toEye.y * toEye.y) / (kDense * kDense));
+    float through = exp(-water.extinction * below / slant);
+    // Light that a crest lets through, towards the sun.
+    float crest = clamp(s.crowding, 0.0, 1.0) * pow(clamp(-dot(toEye, light.towardSun), 0.0, 1.0), 3.0) * sun;
+    vec3 inside = mix(deep + water.colour * light.sunIrradiance * (0.6 * crest), ground, through);
 
-        float f = fresnelOfWater(cosine, s.lost);
-        vec3 mirrored = reflect(-toEye, normal);
-        mirrored.y = sqrt(mirrored.y * mirrored.y + 1.5 * s.lost); // of facets that look up more than their mean
-        lit = mix(inside, mirroredRadiance(relative, normalize(mirrored), s.lost), f) + glitter(normal, toEye, s.lost) * sun;
+    float f = fresnelOfWater(cosine, s.lost);
+    vec3 mirrored = reflect(-toEye, normal);
+    mirrored.y = sqrt(mirrored.y * mirrored.y + 1.5 * s.lost); // of facets that look up more than their mean
+    lit = mix(inside, mirroredRadiance(relative, normalize(mirrored), s.lost), f) + glitter(normal, toEye, s.lost) * sun;
 
-        float foam = foamAt(straight, s.crowding, pattern);
-        lit = mix(lit, around * kFoamAlbedo, foam);
+    float foam = foamAt(straight, s.crowding, pattern);
+    lit = mix(lit, around * kFoamAlbedo, foam);
 #ifdef FOG
-        float clear = fogTransmittance(relative);
-        lit = lit * clear + fogColour(normalize(relative), away) * (1.0 - clear);
+    float clear = fogTransmittance(relative);
+    lit = lit * clear + fogColour(normalize(relative), away) * (1.0 - clear);
 #endif
-        lit = mix(textureLod(behind, uv, 0.0).rgb, lit, smoothstep(0.0, kShoreEdge, straight));
-    }
+    lit = mix(texelFetch(behind, ivec2(gl_FragCoord.xy), 0).rgb, lit, smoothstep(0.0, kShoreEdge, straight));
+#endif
     radiance = vec4(min(lit, vec3(60000.0)), 1.0);
 }
