@@ -34,6 +34,16 @@ bool sways(const io::Scene::TemplateSlot& slot)
     return slot.value && slot.value->wind > 0;
 }
 
+bool burns(const io::Scene::TemplateSlot& slot)
+{
+    return slot.value && slot.value->particles.kind != io::ParticleKind::None;
+}
+
+bool waves(const io::Water& water)
+{
+    return water.on && water.waves > 0;
+}
+
 } // namespace
 
 Editor::Editor(renderer::Renderer& renderer, Host& host) : Editor{&renderer, host} {}
@@ -304,7 +314,11 @@ bool Editor::drifts() const
     const bool drift = environment.clouds.speed != 0 || environment.clouds.change != 0;
     const bool clouds = renderSettings.clouds && drift && environment.clouds.coverage > 0;
     const bool wind = renderSettings.wind && environment.wind.speed > 0;
-    return clouds || (wind && std::ranges::any_of(m_document->scene().templates(), sways));
+    const bool water = renderSettings.water && waves(environment.water);
+    const bool falls = renderSettings.particles && environment.weather.rain + environment.weather.snow > 0;
+    const auto& templates = m_document->scene().templates();
+    return clouds || water || falls || (wind && std::ranges::any_of(templates, sways)) ||
+           (renderSettings.particles && std::ranges::any_of(templates, burns));
 }
 
 double Editor::nextFrameIn() const

@@ -86,7 +86,10 @@ Picture Renderer::State::render(const FrameInput& in)
     if (lit) sky.render(gpu, hdr, viewpoint, in.settings, clouds.areInSky());
     if (lit) clouds.render(gpu, hdr, surfaces, in.settings);
     if (lit) shafts.render(gpu, hdr, surfaces, viewpoint, in.settings);
+    if (lit) water.render(gpu, hdr, surfaces, environment, viewpoint, in.settings);
     transparent.render(gpu, hdr, surfaces, scenery, viewpoint, drawn.objects, in.ghosts, in.settings);
+    if (lit) particles.render(gpu, hdr, surfaces, scenery, environment.wind, viewpoint, in.settings);
+    if (lit) precipitation.render(gpu, hdr, surfaces, environment, viewpoint, in.settings);
     radiance = lit ? &hdr : nullptr;
     if (lit) expose(gpu, in, hdr, surfaces, viewpoint);
 

@@ -7,6 +7,7 @@
 #include "renderer/heavens.h"
 #include "renderer/lamps.h"
 #include "renderer/light.h"
+#include "renderer/particles.h"
 #include "renderer/shaders/shared/shafts.h"
 #include "renderer/shadow_constants.h"
 #include "renderer/terrain.h"
@@ -22,6 +23,7 @@ struct Scenery {
     CullTable cullTable;
     Terrain terrain;
     GroundShadow groundShadow;
+    ParticleSources particles;
     io::Environment environment;
 };
 

@@ -12,7 +12,9 @@
 #include "renderer/passes/lighting.h"
 #include "renderer/passes/occlusion.h"
 #include "renderer/passes/overlay.h"
+#include "renderer/passes/particles.h"
 #include "renderer/passes/picture.h"
+#include "renderer/passes/precipitation.h"
 #include "renderer/passes/shadow.h"
 #include "renderer/passes/shafts.h"
 #include "renderer/passes/sky_tables.h"
@@ -20,6 +22,7 @@
 #include "renderer/passes/temporal.h"
 #include "renderer/passes/tone_map.h"
 #include "renderer/passes/transparent.h"
+#include "renderer/passes/water.h"
 #include "renderer/renderer.h"
 #include "renderer/scenery.h"
 #include "renderer/thumbnails.h"
@@ -61,7 +64,10 @@ struct Renderer::State {
     LightingPass lighting;
     SkyPass sky;
     ShaftsPass shafts;
+    WaterPass water;
     TransparentPass transparent;
+    ParticlePass particles;
+    PrecipitationPass precipitation;
     TemporalPass temporal;
     ExposurePass exposure;
     BloomPass bloom;

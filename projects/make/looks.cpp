@@ -34,4 +34,27 @@ io::Template builtLook(float footprint, float sink)
     return {.sink = sink, .footprint = footprint};
 }
 
+io::Template fireLook()
+{
+    return {.alignToGround = true,
+            .footprint = 1.1f,
+            .light = {.kind = io::LightKind::Point,
+                      .colour = {1, 0.5f, 0.18f},
+                      .intensity = 0.35f,
+                      .range = 12,
+                      .offset = {0, 0.6f, 0},
+                      .castShadow = true},
+            .particles = {.kind = io::ParticleKind::Fire,
+                          .rate = 46,
+                          .life = 0.95f,
+                          .size = 0.42f,
+                          .rise = 0.55f,
+                          .spread = 0.24f,
+                          .offset = {0, 0.12f, 0}}};
+}
+io::ParticleSource smokeOfFire()
+{
+    return {.kind = io::ParticleKind::Smoke, .rate = 7, .life = 7, .size = 1.3f, .rise = 1.2f, .spread = 0.12f, .offset = {0, 0.75f, 0}};
+}
+
 } // namespace make

@@ -11,5 +11,7 @@ io::Template stoneLook(glm::vec2 scale, float sink, float tilt = 12);
 io::Template plantLook(glm::vec2 scale, float sink);
 io::Template tuftLook(glm::vec2 scale);
 io::Template builtLook(float footprint, float sink = 0);
+io::Template fireLook();
+io::ParticleSource smokeOfFire(); // above that
 
 } // namespace make

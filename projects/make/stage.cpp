@@ -93,6 +93,18 @@ void Stage::addMarker(const std::string& name, glm::vec3 size, bool casts)
     m_world.project.templates.push_back(name);
 }
 
+void Stage::addParticles(const std::string& name, const std::string& category, const io::ParticleSource& particles)
+{
+    m_world.scene.exchange(m_world.scene.templateSlot(name), io::Template{.name = name,
+                                                                          .category = category,
+                                                                          .markerSize = {0.3f, 0.3f, 0.3f},
+                                                                          .collision = io::Collision::None,
+                                                                          .castShadow = false,
+                                                                          .particles = particles});
+    m_depths[name] = 0;
+    m_world.project.templates.push_back(name);
+}
+
 io::ObjectId Stage::addGroup(const std::string& name, glm::vec2 at)
 {
     const io::ObjectId id = m_world.scene.freshId();

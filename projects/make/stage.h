@@ -29,6 +29,7 @@ public:
 
     void addModels(std::span<const Entry> entries);
     void addMarker(const std::string& name, glm::vec3 size, bool casts = false);
+    void addParticles(const std::string& name, const std::string& category, const io::ParticleSource& particles); // a small marker that gives them off
     io::ObjectId addGroup(const std::string& name, glm::vec2 at);
     io::ObjectId put(const Put& put, Random& random);
 

@@ -1,3 +1,4 @@
+#include "projects/make/looks.h"
 #include "projects/make/valley.h"
 #include "projects/make/valley_land.h"
 #include "projects/make/worlds.h"
@@ -64,6 +65,13 @@ io::Environment morning()
     environment.fog.height = 90;
     environment.fog.base = 26;
     environment.fog.tint = {1.05f, 1.0f, 0.95f};
+    environment.water.on = true; // fills the stream's bed, which lies lower than all else
+    environment.water.level = 28.5f;
+    environment.water.colour = {0.010f, 0.036f, 0.036f};
+    environment.water.clarity = 1.6f;
+    environment.water.waves = 0.05f;
+    environment.water.wavelength = 2.4f;
+    environment.water.foam = 0.35f;
     return environment;
 }
 
@@ -75,12 +83,14 @@ io::Status makeValley(const std::filesystem::path& folder, Textures& textures)
     stage.addModels(valleyEntries());
     stage.addMarker("spawn_point", {0.6f, 1.8f, 0.6f});
     stage.addMarker("point_of_interest", {0.5f, 0.5f, 0.5f});
+    stage.addParticles("campfire_smoke", "Camp", smokeOfFire());
     if (io::Status ground = stage.addGround(layers(), 1024, 0, kValleyTop); !ground) return ground;
     stage.setEnvironment(morning());
-    setCamp(stage);
+    const io::ObjectId camp = setCamp(stage);
     layRocks(stage);
     plantForest(stage);
     plantUndergrowth(stage);
+    smokeOverFire(stage, camp); // last, so that the numbers of others stay
     setViews(stage);
     return stage.save();
 }

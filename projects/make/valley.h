@@ -6,7 +6,8 @@
 
 namespace make {
 
-void setCamp(Stage& stage);
+io::ObjectId setCamp(Stage& stage); // the group of what belongs to it
+void smokeOverFire(Stage& stage, io::ObjectId camp);
 void layRocks(Stage& stage);
 void plantForest(Stage& stage);
 void plantUndergrowth(Stage& stage);

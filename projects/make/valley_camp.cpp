@@ -58,7 +58,7 @@ void addFences(Stage& stage, io::ObjectId group, Random& random)
 
 } // namespace
 
-void setCamp(Stage& stage)
+io::ObjectId setCamp(Stage& stage)
 {
     Random random{700};
     const io::ObjectId camp = stage.addGroup("Camp", kCamp);
@@ -78,6 +78,13 @@ void setCamp(Stage& stage)
     stage.put({.what = "spawn_point", .at = kCamp + glm::vec2{12, 9}, .yaw = 120, .scale = 1, .name = "Start"}, random);
     stage.put({.what = "point_of_interest", .at = {-330, -120}, .yaw = 0, .scale = 1, .name = "View over the valley"},
               random);
+    return camp;
+}
+
+void smokeOverFire(Stage& stage, io::ObjectId camp)
+{
+    Random random{701};
+    stage.put({.what = "campfire_smoke", .at = kCamp, .yaw = 0, .scale = 1, .name = "Smoke of the campfire", .parent = camp}, random);
 }
 
 } // namespace make

@@ -134,7 +134,7 @@ const Entry kValley[] = {
      },
      tuftLook({0.7f, 1.2f})},
     {"axe", "Camp", [] { return makeAxe(320); }, builtLook(0.1f)},
-    {"campfire", "Camp", [] { return makeCampfire({.seed = 3}); }, {.alignToGround = true, .footprint = 1.1f}},
+    {"campfire", "Camp", [] { return makeCampfire({.seed = 3}); }, fireLook()},
     {"tent", "Camp", [] { return makeTent(); }, builtLook(1.8f, 0.02f)},
     {"hut", "Camp", [] { return makeHut(); }, builtLook(3.4f)},
     {"fence", "Camp", [] { return makeFence(157); }, {.yaw = {0, 0}, .sink = 0.03f, .footprint = 0.3f}},

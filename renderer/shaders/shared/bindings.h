@@ -13,6 +13,8 @@
 #define LAMPS_BINDING 7
 #define CLOUDS_BINDING 8
 #define PICTURE_BINDING 9 // light shafts, or the exposure that was chosen
+#define WATER_BINDING 10 // and PARTICLES_BINDING: passes of their own
+#define PARTICLES_BINDING 10
 
 // Storage blocks
 #define SKY_LIGHT_STORAGE_BINDING 0 // the same buffer while it is written
@@ -70,6 +72,12 @@
 #define SHAFTS_UNIT 24  // a volume, or a small picture
 #define BLOOM_UNIT 25
 #define HISTORY_UNIT 26 // the last frame; while edges are smoothed, where they are
+
+// Of water, and of particles.
+#define RIPPLES_UNIT 27
+#define BEHIND_UNIT 28       // the lit picture that water is drawn over
+#define BEHIND_DEPTH_UNIT 29 // and its depth
+#define PARTICLE_ATLAS_UNIT 27
 
 // Records that vertices read are buffer textures: software GL fetches a texel far faster than it reads a storage block.
 #define MATERIALS_UNIT 14

@@ -1,0 +1,84 @@
+// What water mirrors: the sky, and what of the picture lies in that direction. With MARCH a ray is followed through the picture's
+// depths; without it the picture is taken to be far away, which is right for mountains and clouds and near for a shore.
+#include "sky_tables.glsl"
+#include "view.glsl"
+
+layout(binding = BEHIND_UNIT) uniform sampler2D behind;
+layout(binding = BEHIND_DEPTH_UNIT) uniform sampler2D behindDepth;
+
+const int kSteps = 24;
+const int kHalvings = 4;
+const float kGrowth = 1.28; // of a step over the one before
+
+// 1 inside the picture, 0 at its rim.
+float inPicture(vec2 uv)
+{
+    vec2 rim = smoothstep(vec2(0.0), vec2(0.08), uv) * smoothstep(vec2(0.0), vec2(0.08), 1.0 - uv);
+    return rim.x * rim.y;
+}
+
+vec2 onScreen(vec4 clip)
+{
+    return clip.xy / clip.w * 0.5 + 0.5;
+}
+
+// The sky may shine through gaps; its sun does not count, as the glitter has it already.
+vec3 pictureAt(vec2 uv, vec3 sky)
+{
+    return min(textureLod(behind, uv, 0.0).rgb, sky * 3.0 + light.sunIrradiance * 0.35);
+}
+
+// The picture at infinity, its opacity in alpha: only what is farther away than the water itself.
+vec4 farAway(vec3 from, vec3 direction, vec3 sky)
+{
+    vec4 clip = view.clipFromRelative * vec4(direction, 0.0);
+    if (clip.w <= 0.0) return vec4(0.0);
+    vec2 uv = onScreen(clip);
+    float visible = inPicture(uv);
+    if (visible <= 0.0) return vec4(0.0);
+    float away = view.near / max(textureLod(behindDepth, uv, 0.0).r, 1e-9);
+    float here = dot(from, view.forward);
+    return vec4(pictureAt(uv, sky), visible * smoothstep(1.05, 1.3, away / here));
+}
+
+#ifdef MARCH
+vec4 marched(vec3 from, vec3 direction, vec3 sky)
+{
+    float reached = 0.0;
+    float step_ = 0.12 + 0.004 * length(from);
+    for (int i = 0; i < kSteps; ++i) {
+        float next = reached + step_;
+        vec4 clip = view.clipFromRelative * vec4(from + direction * next, 1.0);
+        if (clip.w <= view.near) break;
+        vec2 uv = onScreen(clip);
+        if (any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) break;
+        float behindBy = clip.w - view.near / max(textureLod(behindDepth, uv, 0.0).r, 1e-9);
+        if (behindBy > 0.0 && behindBy < 2.0 * step_ + 0.5) {
+            float low = reached, high = next;
+            for (int k = 0; k < kHalvings; ++k) {
+                float middle = 0.5 * (low + high);
+                vec4 there = view.clipFromRelative * vec4(from + direction * middle, 1.0);
+                bool past = there.w > view.near / max(textureLod(behindDepth, onScreen(there), 0.0).r, 1e-9);
+                low = past ? low : middle;
+                high = past ? middle : high;
+            }
+            vec2 hit = onScreen(view.clipFromRelative * vec4(from + direction * high, 1.0));
+            return vec4(pictureAt(hit, sky), inPicture(hit));
+        }
+        reached = next;
+        step_ *= kGrowth;
+    }
+    return vec4(0.0);
+}
+#endif
+
+vec3 mirroredRadiance(vec3 from, vec3 direction, float lost)
+{
+    vec3 sky = skyRadiance(direction);
+    vec4 picture = farAway(from, direction, sky);
+#ifdef MARCH
+    vec4 hit = marched(from, direction, sky);
+    picture = mix(picture, vec4(hit.rgb, 1.0), hit.a);
+#endif
+    return mix(sky, picture.rgb, picture.a);
+}
