@@ -68,7 +68,6 @@ glsl::Clouds cloudsOf(const io::Environment& environment, const glsl::Light& lig
     glsl::Clouds clouds{};
     clouds.origin = glm::vec2{wrapped(origin.x, kPeriod), wrapped(origin.y, kPeriod)};
     clouds.perMetre = float(1 / size);
-    clouds.cover = c.coverage;
     clouds.phase = glm::vec3{glm::fract(phase)};
     clouds.sun = light.sunAtClouds;
     clouds.thickness = std::max(c.thickness, 1.0f);
@@ -78,6 +77,7 @@ glsl::Clouds cloudsOf(const io::Environment& environment, const glsl::Light& lig
     clouds.base = float(c.altitude - eye.position.y);
     clouds.planet = float(double(environment.sky.planetRadius) * 1000 + eye.position.y);
     clouds.albedo = environment.sky.groundAlbedo;
+    clouds.cover = c.coverage * (1 - std::exp(-0.1f * clouds.density * clouds.thickness)); // as the layer hides what is behind it
     clouds.wet = glm::clamp(environment.weather.rain / kWettingRain, 0.0f, 1.0f);
     clouds.snow = glm::clamp(environment.weather.snow / kCoveringSnow, 0.0f, 1.0f);
     clouds.through = glsl::throughCloud(0.8f * clouds.density * clouds.thickness);

@@ -10,14 +10,14 @@ const int kSteps = 64;
 const int kRays = 3; // along a side of a texel
 float march(vec2 relative, float offset)
 {
+    float metres = clouds.thickness * length(vec3(clouds.sunward, 1.0)) / float(kSteps);
     float tau = 0.0;
-    for (int i = 0; i < kSteps; ++i) {
+    for (int i = 0; i < kSteps && tau < 6.0; ++i) {
         float h = (float(i) + offset) / float(kSteps);
         vec2 aside = clouds.sunward * (h * clouds.thickness);
-        tau += cloudExtinction(vec3(relative + aside, 0.0).xzy, h, clouds.mapLod, true);
+        tau += cloudExtinction(vec3(relative + aside, 0.0).xzy, h, clouds.mapLod, true) * metres;
     }
-    float metres = clouds.thickness * length(vec3(clouds.sunward, 1.0)) / float(kSteps);
-    return exp(-tau * metres);
+    return exp(-tau);
 }
 
 // The mean over a texel, in which an edge may lie.

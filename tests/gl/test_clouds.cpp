@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr glm::ivec2 kSize{320, 180};
+constexpr glm::ivec2 kSize{160, 90};
 
 TEST(Clouds, PhaseOverTheSphereIsOne)
 {
@@ -305,8 +305,8 @@ TEST(CloudPicture, NearSurfacesStandBeforeVolumes)
         else if (glm::length(a - b) <= 0.004f * glm::length(a)) ++same;
         else ++other;
     }
-    EXPECT_GT(sky, 2000);
-    EXPECT_GT(same, 2000);
+    EXPECT_GT(sky, 500);
+    EXPECT_GT(same, 500);
     EXPECT_EQ(other, 0);
 }
 
@@ -361,9 +361,9 @@ TEST(WeatherSurface, ShowsOnTheGroundOfAPicture)
 {
     const io::Camera down{.eye = {0, 400, 0}, .pitch = -60};
     io::Environment environment = test::plainEnvironment(180, 60);
-    const double dry = meanOf(radianceOf(environment, down, renderer::CloudKind::Layer), 60, kSize.y).y;
+    const double dry = meanOf(radianceOf(environment, down, renderer::CloudKind::Layer), 30, kSize.y).y;
     environment.weather.snow = 5;
-    const double white = meanOf(radianceOf(environment, down, renderer::CloudKind::Layer), 60, kSize.y).y;
+    const double white = meanOf(radianceOf(environment, down, renderer::CloudKind::Layer), 30, kSize.y).y;
     EXPECT_GT(white, 2 * dry);
 }
 
