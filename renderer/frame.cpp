@@ -93,7 +93,7 @@ Viewpoint Renderer::State::look(const FrameInput& in) const
     v.towardSun = v.bodies.towardLight();
     v.heavens = heavensOf(environment, v.bodies);
     v.wind = windOf(environment.wind, in.settings.wind, v.eye.position, in.time);
-    if (!environment.autoExposure.on) environment.exposure += usedToTheDark(v.bodies.towardSun);
+    if (!environment.autoExposure.on || !in.settings.autoExposure) environment.exposure += usedToTheDark(v.bodies.towardSun);
     v.view = viewBlock(v.eye, v.eye.clipFromRelative, in.time, environment.exposure);
     const bool sunUp = v.towardSun.y > -0.02;
     if (in.settings.shadows && sunUp) v.cascades = cascadesOf(v.eye, environment.shadows, v.towardSun);
