@@ -119,7 +119,7 @@ Viewpoint Renderer::State::look(const FrameInput& in, io::Environment environmen
     v.towardSun = v.bodies.towardLight();
     v.heavens = heavensOf(environment, v.bodies);
     v.wind = windOf(environment.wind, in.settings.wind, v.eye.position, in.time);
-    if (!environment.autoExposure.on) environment.exposure += usedToTheDark(v.bodies.towardSun);
+    if (!environment.autoExposure.on || !in.settings.autoExposure) environment.exposure += usedToTheDark(v.bodies.towardSun);
     v.still = viewBlock(v.eye, v.eye.clipFromRelative, in.time, environment.exposure);
     v.gathered = gathered(in, v.eye);
     v.view = in.ids || !v.gathered ? v.still : movedAside(v.still, v.eye, jitterOf(*v.gathered, v.eye.size));

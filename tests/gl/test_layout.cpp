@@ -1,6 +1,7 @@
 // The structs that both compilers read lie alike in both.
 #include "renderer/shader_library.h"
 #include "renderer/shaders/shared/clouds.h"
+#include "renderer/shaders/shared/heavens.h"
 #include "renderer/shaders/shared/instance.h"
 #include "renderer/shaders/shared/light.h"
 #include "renderer/shaders/shared/material.h"
@@ -58,6 +59,17 @@ TEST_F(Layout, ViewAndLightAgree)
     EXPECT_EQ(offsetIn(p, "shadows.ends"), offsetof(glsl::Shadows, ends));
     EXPECT_EQ(offsetIn(p, "shadows.resolution"), offsetof(glsl::Shadows, resolution));
     EXPECT_EQ(offsetIn(p, "shadows.fadeScale"), offsetof(glsl::Shadows, fadeScale));
+}
+
+TEST_F(Layout, HeavensAgree)
+{
+    const renderer::gl::Program& p = shaders.fullScreen("sky", {"STARS", "MOON"});
+    ASSERT_TRUE(p);
+    EXPECT_EQ(offsetIn(p, "heavens.towardSun"), offsetof(glsl::Heavens, towardSun));
+    EXPECT_EQ(offsetIn(p, "heavens.moonRadius"), offsetof(glsl::Heavens, moonRadius));
+    EXPECT_EQ(offsetIn(p, "heavens.milkyWay"), offsetof(glsl::Heavens, milkyWay));
+    EXPECT_EQ(offsetIn(p, "heavens.glowOverhead"), offsetof(glsl::Heavens, glowOverhead));
+    EXPECT_EQ(offsetIn(p, "heavens.equatorFromWorld[0]"), offsetof(glsl::Heavens, equatorFromWorld));
 }
 
 TEST_F(Layout, TerrainAgrees)

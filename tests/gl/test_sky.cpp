@@ -432,6 +432,35 @@ TEST(Sky, LightOnLevelGroundIsTheReferences)
     }
 }
 
+// A level mirror shows the sky that it faces; the rougher it is, the more of the sky around.
+TEST(Sky, MetalMirrorsTheSky)
+{
+    const io::Environment environment = test::plainEnvironment(0, 20);
+    const auto lit = [&](float roughness, float ambient) {
+        auto model = std::make_shared<io::Model>(*test::box({50, 1, 50}, {1, 1, 1, 1}));
+        model->materials.at(0).metallic = 1;
+        model->materials.at(0).roughness = roughness;
+        test::TestWorld world;
+        test::addObject(world, test::addTemplate(world, "plate", model), {.position = {0, -1, 0}});
+        io::Environment shown = environment;
+        shown.sky.ambient = ambient;
+        world.scene.exchange(shown);
+        test::load(world);
+        // Away from the sun, and down at an angle whose mirrored image rises as far.
+        test::shared().render(test::frame({9, 9}, {.eye = {0, 2, -3}, .yaw = 180, .pitch = -35, .fov = 2}));
+        return glm::dvec3{test::shared().readRadiance().row<glm::vec3>(4)[4]};
+    };
+    const auto mirrored = [&](float roughness) { return lit(roughness, 1) - lit(roughness, 0); }; // without the sun's lobe
+    const glm::dvec3 smooth = mirrored(0.05f), rough = mirrored(0.5f);
+    emptyWorld();
+    const glm::dvec3 sky = pictureTowards({.viewZenith = 55, .azimuth = 180}, environment);
+    EXPECT_LT(worstError(smooth, sky), 0.06) << smooth.x << " " << smooth.z << " for " << sky.x << " " << sky.z;
+    for (int c = 0; c < 3; ++c)
+        EXPECT_TRUE(rough[c] > 0.6 * sky[c] && rough[c] < 2.0 * sky[c]) << rough[c] / sky[c];
+    EXPECT_GT(worstError(rough, sky), worstError(smooth, sky));
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
 io::Environment night(float phase)
 {
     io::Environment environment = test::plainEnvironment(0, -30);
