@@ -11,7 +11,8 @@ layout(location = 0) out vec2 result; // share of the sky that is seen, depth
 
 const float kPi = 3.14159265;
 const float kNearest = 1.3; // pixels, to the first place looked at
-const float kLeafShare = 0.5; // of what hides leaves: they let light through
+const float kLeafShare = 0.4; // of what hides leaves: they let light through
+const float kCrown = 0.93;    // what the leaves of a tree see in the mean
 
 vec3 placeAt(ivec2 texel, float depth)
 {
@@ -63,8 +64,12 @@ void main()
     result = vec2(1.0, depth * OCCLUSION_DEPTH_SCALE);
     uint bits = surfaceBits(texelFetch(gbufferSurface, texel * STRIDE, 0));
     float reach = min(pass.radius * pass.pixels * depth / view.near, pass.most); // pixels
-    // Impostors are flat: they would stand in their own light.
-    if (depth <= 0.0 || reach < kNearest || (bits & (SURFACE_IMPOSTOR | SURFACE_UNLIT)) != 0u) return;
+    if (depth <= 0.0 || reach < kNearest || (bits & SURFACE_UNLIT) != 0u) return;
+    float shown = clamp(reach / kNearest - 1.0, 0.0, 1.0); // gone where it is not to be seen
+    if ((bits & SURFACE_IMPOSTOR) != 0u) { // flat, it would stand in its own light
+        result.x = (bits & SURFACE_LEAF) != 0u ? mix(1.0, kCrown, shown) : 1.0;
+        return;
+    }
 
     vec3 world = fromOctahedral(texelFetch(gbufferNormal, texel * STRIDE, 0).xy);
     vec3 normal = vec3(dot(world, view.right) * pass.axes.x, dot(world, view.up) * pass.axes.y, dot(world, view.forward));
@@ -103,5 +108,5 @@ void main()
     }
     float seen = 1.0 - lost / float(SLICES);
     seen = (bits & SURFACE_LEAF) != 0u ? mix(1.0, seen, kLeafShare) : seen;
-    result.x = mix(1.0, seen, clamp(reach / kNearest - 1.0, 0.0, 1.0)); // gone where it is not to be seen
+    result.x = mix(1.0, seen, shown);
 }
