@@ -22,7 +22,7 @@ constexpr double kWidestTurn = 40;      // degrees, likewise
 // a factor of a thousand there, and no exposure shows both ends.
 float usedToTheDark(const glm::dvec3& towardSun)
 {
-    constexpr double kMost = 4; // EV
+    constexpr double kMost = 5; // EV
     const double height = std::sin(glm::radians(7.0));
     return float(kMost * glm::smoothstep(height, -height, towardSun.y));
 }

@@ -8,13 +8,13 @@ namespace renderer {
 namespace {
 
 // Of a full moon, bluer than it is, as eyes find it; of the sky at the horizon and overhead; from all around on surfaces.
-constexpr glm::vec3 kMoonlight{0.0056f, 0.0070f, 0.0096f};
-constexpr glm::vec3 kGlow{0.00010f, 0.00016f, 0.00031f};
-constexpr glm::vec3 kGlowOverhead{0.000018f, 0.00003f, 0.000062f};
-constexpr glm::vec3 kOnSurfaces{0.00014f, 0.00020f, 0.00034f};
+constexpr glm::vec3 kMoonlight{0.0032f, 0.0040f, 0.0054f};
+constexpr glm::vec3 kGlow{0.00005f, 0.00008f, 0.00016f};
+constexpr glm::vec3 kGlowOverhead{0.000009f, 0.000015f, 0.000031f};
+constexpr glm::vec3 kOnSurfaces{0.00008f, 0.00011f, 0.00018f};
 constexpr float kMoonReflects = 0.12f; // geometric albedo
-constexpr float kMilkyWay = 0.00022f;  // radiance
-constexpr float kStar = 0.05f;         // radiance; the brightest have a third of it
+constexpr float kMilkyWay = 0.00011f;  // radiance
+constexpr float kStar = 0.025f;        // radiance; the brightest have a third of it
 
 double down(double degrees)
 {
@@ -41,7 +41,7 @@ Bodies bodiesOf(const io::Environment& environment)
     b.towardSun = io::towardSun(environment);
     b.moon = io::moonOf(environment);
     b.night = glm::smoothstep(down(0), down(8), b.towardSun.y);
-    b.glow = glm::smoothstep(down(6), down(13), b.towardSun.y);
+    b.glow = glm::smoothstep(down(6.4), down(11), b.towardSun.y);
     b.deepNight = glm::smoothstep(down(18.1), down(22), b.towardSun.y);
     const double dark = glm::smoothstep(down(3), down(9), b.towardSun.y);
     const double seen = dark * moonPhaseLight(b.moon.phase) * glm::smoothstep(-0.01, 0.03, b.moon.toward.y);
@@ -63,7 +63,7 @@ glsl::Heavens heavensOf(const io::Environment& environment, const Bodies& b)
     h.towardMoon = glm::vec3{b.moon.toward};
     h.moonRadius = glm::radians(std::max(environment.moon.angularDiameter, 0.01f)) / 2;
     h.moonLitFrom = glm::vec3{b.moon.litFrom};
-    h.moonRadiance = environment.sun.irradiance * float(kMoonReflects / std::numbers::pi * (1 - 0.6 * b.night) * std::min(environment.moon.brightness, 4.0f));
+    h.moonRadiance = environment.sun.irradiance * float(kMoonReflects / std::numbers::pi * (1 - 0.75 * b.night) * std::min(environment.moon.brightness, 4.0f));
     h.stars = environment.sky.stars * kStar * float(b.glow);
     h.milkyWay = environment.sky.stars * kMilkyWay * float(b.deepNight);
     h.glow = kGlow * float(b.glow) * (1 + 0.8f * moonInSky(b));

@@ -9,13 +9,13 @@ namespace renderer {
 
 // Night is brighter here than it is: a full moon gives a 400,000th of the sun's light, and no exposure shows both. Its light on
 // surfaces and the glow of the sky are as an eye that is used to the dark finds them beside a day at the same exposure. The
-// sky's own radiance stays what it is until the sun stands 8 degrees below the horizon, overhead until 18.
+// sky's own radiance stays what it is until the sun stands 6 degrees below the horizon, overhead until 18.
 struct Bodies {
     glm::dvec3 towardSun{0, 1, 0};
     io::MoonPlace moon;
     glm::vec3 moonlight{0};     // irradiance outside the air; 0 while the sun is too near the horizon
-    double night = 0;           // for surfaces: 0 by day, 1 from 14 degrees below the horizon on
-    double glow = 0;            // of the sky along the horizon and of stars: grows from 8 to 15 degrees
+    double night = 0;           // for surfaces: grows until the sun is 8 degrees below the horizon
+    double glow = 0;            // of the sky along the horizon and of stars: grows from 6 to 11 degrees
     double deepNight = 0;       // overhead: from 18 to 22
     bool moonLights = false;    // rather than the sun
     glm::dvec3 towardLight() const { return moonLights ? moon.toward : towardSun; }

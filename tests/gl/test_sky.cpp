@@ -485,7 +485,7 @@ TEST(Sky, MoonHasItsSizeAndPhase)
         const io::Image image = test::shared().readRadiance();
         int count = 0;
         for (int i = 0; i < 200 * 200; ++i)
-            count += image.row<glm::vec3>(0)[i].y > 0.003;
+            count += image.row<glm::vec3>(0)[i].y > 0.001;
         return count;
     };
     const double full = bright(0.5f);
