@@ -324,7 +324,7 @@ bool Editor::drifts() const
 double Editor::nextFrameIn() const
 {
     if (m_quiet < kQuietAfter) return 0;
-    if (m_renderer && m_renderer->stats().gathering) return 0; // the picture is still becoming smoother
+    if (m_document && m_renderer && m_renderer->stats().gathering) return 0; // the picture is still becoming smoother
     double next = m_toasts.nextChange();
     if (drifts()) next = std::min({next, 1 / m_host.frameRate(), kRest});
     if (m_loading.busy() || m_groundDialogs.working()) next = std::min(next, kProgress);

@@ -81,7 +81,7 @@ void ShaftsPass::lookAtScreen(GpuFrame& gpu, const GBuffer& surfaces)
 {
     const glm::ivec2 size = (surfaces.depth.size() + SHAFTS_PIXELS - 1) / SHAFTS_PIXELS;
     if (m_small.size() != size) {
-        m_small = gl::Texture{{.label = "shafts", .size = size, .format = GL_R16F, .target = true}};
+        m_small = gl::Texture{{.label = "shafts", .size = size, .format = GL_RGBA16F, .target = true}};
         m_smallTarget = gl::Framebuffer{{.label = "shafts", .colours = {&m_small}}};
     }
     m_smallTarget.bind();

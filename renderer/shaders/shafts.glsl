@@ -26,13 +26,13 @@ vec3 missingInFog(vec2 uv, vec3 relative)
 #endif
 
 #ifdef SHAFTS_SCREEN
-layout(binding = SHAFTS_UNIT) uniform sampler2D shaftPicture; // share of light from behind the fog that its dark parts would take
+layout(binding = SHAFTS_UNIT) uniform sampler2D shaftPicture; // as shafts_screen.frag.glsl writes it
 
 vec3 missingInFog(vec2 uv, vec3 relative)
 {
-    vec3 direction = normalize(relative);
+    vec4 around = textureLod(shaftPicture, uv, 0.0);
     // A small picture blurs over edges: what is near has no more fog before it than that.
-    float dark = min(textureLod(shaftPicture, uv, 0.0).r, 1.0 - fogTransmittance(relative));
-    return fogColour(direction, length(relative)) * sunShareOfFog(direction) * (dark * shafts.strength);
+    float most = 1.0 - fogTransmittance(relative);
+    return around.rgb * min(most / max(around.a, 1e-6), 1.0);
 }
 #endif

@@ -9,5 +9,7 @@ layout(location = 0) out vec4 radiance; // added
 void main()
 {
     float depth = texelFetch(gbufferDepth, ivec2(gl_FragCoord.xy), 0).r;
-    radiance = vec4(-missingInFog(uv, ray * (view.near / max(depth, view.near * 1e-5))), 0.0);
+    vec3 missing = missingInFog(uv, ray * (view.near / max(depth, view.near * 1e-5)));
+    if (missing.r + missing.g + missing.b <= 0.0) discard;
+    radiance = vec4(-missing, 0.0);
 }

@@ -7,12 +7,19 @@
 layout(binding = GBUFFER_DEPTH_UNIT) uniform sampler2D gbufferDepth;
 layout(location = 0) in vec2 uv;
 layout(location = 1) in vec3 ray;
-layout(location = 0) out float dark; // share of light from behind the fog that its dark parts would take
+layout(location = 0) out vec4 missing; // light; and the share of light from behind the fog that its dark parts would take
 
 const int kTaps = 32;
 const float kSky = 1e5;            // m
 const float kThickness = 0.12;     // of what stands there, of its distance
 const float kLeastThickness = 1.5; // m
+
+// Of fog on this pixel's ray up to a depth, as fogTransmittance() knows it; (1 - exp(-x)) / x by its fraction.
+float opticalDepth(float depth)
+{
+    float x = clamp(ray.y * depth / light.fogHeight, -2.0, 4.0);
+    return light.fogDensity * length(ray) * depth / (1.0 + x * (0.5 + x * (1.0 / 12.0)));
+}
 
 float depthAt(vec2 place)
 {
@@ -26,7 +33,7 @@ void main()
     float own = depthAt(uv);
     float noise = interleavedNoise(gl_FragCoord.xy);
     float covered = 0.0; // m, up to which it is known
-    dark = 0.0;
+    float dark = 0.0;
     for (int i = 0; i < kTaps; ++i) { // from the sun to here: places in the fog come nearest first
         float left = (float(i) + noise) / float(kTaps); // 1 - f
         vec2 place = mix(shafts.sun, uv, left);
@@ -36,7 +43,11 @@ void main()
         float from = max(z * left, covered);
         float to = min((z + max(z * kThickness, kLeastThickness)) * (left + 1.0 / float(kTaps)), own);
         if (to <= from) continue;
-        dark += fogTransmittance(ray * from) - fogTransmittance(ray * to);
+        float thin = opticalDepth(from), thick = opticalDepth(to);
+        dark += max(thick - thin, 0.0) * exp(-0.5 * (thin + thick));
         covered = to;
     }
+    dark = min(dark, 1.0);
+    vec3 direction = normalize(ray);
+    missing = vec4(fogColour(direction, own * length(ray)) * sunShareOfFog(direction) * (dark * shafts.strength), dark);
 }
