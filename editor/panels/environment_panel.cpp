@@ -8,6 +8,9 @@
 #include "editor/widgets.h"
 #include "io/scene/shadow_ends.h"
 
+#include <algorithm>
+#include <initializer_list>
+
 namespace editor {
 namespace {
 
@@ -19,6 +22,23 @@ bool counts(const io::Shadows& shadows, std::string_view key)
     if (key == "lambda") return !byHand && shadows.cascades > 1;
     if (key == "splits" || key == "blend") return shadows.cascades > 1;
     if (key.starts_with(kEnd)) return byHand && key[kEnd.size()] - '0' < shadows.cascades;
+    return true;
+}
+
+bool isOneOf(std::string_view key, std::initializer_list<std::string_view> keys)
+{
+    return std::ranges::find(keys, key) != keys.end();
+}
+
+// Whether a field has anything to say beside what the others are.
+bool counts(const io::Environment& e, std::string_view key)
+{
+    if (key.starts_with("shadows.")) return counts(e.shadows, key.substr(std::string_view{"shadows."}.size()));
+    if (isOneOf(key, {"sun.azimuth", "sun.elevation"})) return e.sun.mode == io::SunMode::Manual;
+    if (isOneOf(key, {"moon.azimuth", "moon.elevation", "moon.phase"})) return e.moon.mode == io::SunMode::Manual;
+    if (key == "time_zone") return e.clock == io::Clock::Zone;
+    if (key.starts_with("auto_exposure.")) return e.autoExposure.on || key == "auto_exposure.on";
+    if (key.starts_with("water.")) return e.water.on || key == "water.on";
     return true;
 }
 
@@ -39,7 +59,6 @@ void EnvironmentPanel::draw(Editor& editor)
     if (!editor.document()) return;
     Document& document = *editor.document();
     io::Environment shown = document.scene().environment();
-    const bool byHand = shown.sun.mode == io::SunMode::Manual;
     bool sunDragged = false;
 
     m_looks.draw(editor);
@@ -47,10 +66,7 @@ void EnvironmentPanel::draw(Editor& editor)
     ui::searchField("##search", tr("environment.search"), m_search);
     ImGui::Dummy({0, 2});
     FieldUiOptions options{.defaults = scalarsOf(io::Environment{}), .filter = lowerCase(m_search)};
-    options.enabled = [byHand, shadows = shown.shadows](std::string_view key) {
-        if (key.starts_with("shadows.")) return counts(shadows, key.substr(std::string_view{"shadows."}.size()));
-        return byHand || (key != "sun.azimuth" && key != "sun.elevation");
-    };
+    options.enabled = [now = shown](std::string_view key) { return counts(now, key); };
     options.before = [&](std::string_view section) {
         if (section == "sun." && m_search.empty()) sunDragged = sunDial(shown);
     };
