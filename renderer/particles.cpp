@@ -188,10 +188,10 @@ Particles particlesOf(std::span<const ParticleSources::Placed> placed, const Par
         result.sources.push_back(s.source);
         const double life = double(s.source.life), rate = steady(s.placed->what) / life;
         const double time = ownTime(*s.placed, request.time);
-        for (auto birth = std::int64_t(std::floor(time * rate));; --birth) {
+        const auto newest = std::int64_t(std::floor(time * rate / double(every))) * every;
+        for (std::int64_t birth = newest;; birth -= every) {
             const double age = time - double(birth) / rate;
             if (age >= life) break;
-            if (birth % every != 0) continue;
             const glsl::Particle particle{number, std::uint32_t(birth) * 2654435761u + io::number(s.placed->id), float(std::max(age, 0.0))};
             const glm::vec3 centre = glsl::particleCentre(s.source, particle.seed, particle.age);
             order.emplace_back(glm::dot(centre, glm::vec3{request.eye.forward}), particle);

@@ -15,7 +15,7 @@ layout(location = 6) flat in vec3 towardSun;
 layout(location = 7) flat in vec4 fog;
 layout(location = 0) out vec4 radiance;
 
-const float kFlame = 0.85; // radiance of the hottest, where the sun's irradiance is 1
+const float kFlame = 0.45; // radiance of the hottest, where the sun's irradiance is 1
 const vec3 kSmokeAlbedo = vec3(0.42, 0.42, 0.43);
 const vec3 kDustAlbedo = vec3(0.52, 0.44, 0.34);
 
@@ -41,7 +41,7 @@ void main()
         covered = 0.35 * heat * opacity;
     } else if (kind == 4u) {
         float inside = clamp(1.0 - dot(corner, corner), 0.0, 1.0);
-        added = vec3(1.0, 0.42, 0.1) * (3.0 * inside * opacity * (1.0 - look.y)) * tint;
+        added = vec3(1.0, 0.42, 0.1) * (1.5 * inside * opacity * (1.0 - look.y)) * tint;
         covered = 0.0;
     } else {
         float apart = 0.75 * look.y;
