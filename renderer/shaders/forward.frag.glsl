@@ -22,7 +22,7 @@ void main()
     s.metallic = m.metallic;
     s.occlusion = m.occlusion;
     s.bits = (materialFlags() & MATERIAL_LEAF) != 0u ? SURFACE_LEAF : 0u;
-    vec3 lit = shade(s, -normalize(relative), sunVisibility(relative, s.normal)) + m.emissive;
+    vec3 lit = shade(s, -normalize(relative), sunVisibility(relative, s.normal, gl_FragCoord.xy)) + m.emissive;
     lit = (materialFlags() & MATERIAL_UNLIT) != 0u ? s.baseColour / view.exposure : lit;
     lit = isSelected() ? tintSelected(lit) : lit;
     float alpha = m.root.a;
