@@ -1,5 +1,7 @@
 #include "renderer/shadow_constants.h"
 
+#include "renderer/gl/machine.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,9 +54,12 @@ glsl::Shadows shadowConstants(const io::Shadows& shadows, std::span<const Cascad
 std::vector<std::string> shadowDefines(const glsl::Shadows& shadows)
 {
     if (shadows.cascades == 0) return {};
-    if (shadows.cascade[0].penumbra > 0) return {"SHADOWS", "CONTACT_SHADOWS"};
+    std::vector<std::string> defines{"SHADOWS"};
     const int taps = std::min(int(std::ceil(shadows.reach)), MOST_TAPS);
-    return {"SHADOWS", "SHADOW_TAPS " + std::to_string(taps)};
+    if (shadows.cascade[0].penumbra > 0) defines.emplace_back("CONTACT_SHADOWS");
+    else defines.push_back("SHADOW_TAPS " + std::to_string(taps));
+    if (gl::drawsInSoftware()) defines.emplace_back("NOISE_BLEND");
+    return defines;
 }
 
 } // namespace renderer

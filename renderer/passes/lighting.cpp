@@ -24,7 +24,9 @@ std::vector<std::string> lightingDefines(const Viewpoint& viewpoint, const Setti
 
 LightingPass::LightingPass(ShaderLibrary& shaders) : m_shaders{shaders}
 {
-    shaders.fullScreen("lighting", {"SHADOWS", "SHADOW_TAPS 2", "CLOUD_SHADOWS", "AERIAL", "FOG"});
+    std::vector<std::string> usual = shadowDefines({.cascades = 1, .reach = 2});
+    usual.insert(usual.end(), {"CLOUD_SHADOWS", "AERIAL", "FOG"});
+    shaders.fullScreen("lighting", std::move(usual));
 }
 
 void LightingPass::resize(const GBuffer& surfaces)

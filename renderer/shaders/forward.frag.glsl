@@ -31,7 +31,7 @@ void main()
 #ifndef STUDIO
     if ((materialFlags() & MATERIAL_UNLIT) == 0u) weatherSurface(s.baseColour, s.roughness, s.metallic, s.normal, relative);
 #endif
-    float sun = sunVisibility(relative, s.normal);
+    float sun = sunVisibility(relative, s.normal, gl_FragCoord.xy);
 #ifdef CLOUD_SHADOWS
     sun *= cloudShadow(relative);
 #endif

@@ -45,8 +45,10 @@ std::vector<float> ShadowProbe::ask(const io::Environment& environment, const io
     const auto bytes = GLsizeiptr(places.size() * sizeof(glm::vec4));
     const std::array<GLuint, 3> buffers{bufferOf(0, bytes, places.data()), bufferOf(1, bytes, normals.data()),
                                         bufferOf(2, GLsizeiptr(lit.size() * sizeof(float)), nullptr)};
+    std::vector<std::string> defines = renderer::shadowDefines(m_constants);
+    std::erase(defines, "NOISE_BLEND"); // places have no pixel
     glUseProgram(m_shaders.program({.label = "shadow probe", .stages = {"../../tests/gl/support/shadow_probe.comp.glsl"},
-                                    .defines = renderer::shadowDefines(m_constants)}).id());
+                                    .defines = std::move(defines)}).id());
     glDispatchCompute((GLuint(points.size()) + kGroup - 1) / kGroup, 1, 1);
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(buffers[2], 0, GLsizeiptr(lit.size() * sizeof(float)), lit.data());
