@@ -195,7 +195,6 @@ std::vector<LampShadow> LampShadows::render(GpuFrame& gpu, Scenery& scenery, con
 void LampShadows::draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Lamp& lamp, int face, int tile,
                        const Settings& settings)
 {
-    ++m_facesDrawn;
     const FaceAxes axes = axesOf(lamp, face);
     const double texelAngle = 2 * tanHalfOf(lamp) / m_tile;
     glsl::View view = viewpoint.view;

@@ -23,7 +23,6 @@ public:
                                    const Settings& settings);
     void bind(GpuFrame& gpu) const;
     float texel() const { return m_atlas ? 1.0f / float(m_atlas.size().x) : 1.0f; } // of the atlas' side
-    std::uint64_t facesDrawn() const { return m_facesDrawn; }                       // since the start
 
 private:
     struct Held {
@@ -53,7 +52,6 @@ private:
     std::vector<Held> m_held;
     std::vector<int> m_free;
     Key m_key;
-    std::uint64_t m_facesDrawn = 0;
 };
 
 } // namespace renderer

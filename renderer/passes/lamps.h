@@ -10,7 +10,6 @@ class LampPass {
 public:
     explicit LampPass(ShaderLibrary& shaders) : m_shadows{shaders} {}
     void render(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Settings& settings);
-    const LampShadows& shadows() const { return m_shadows; }
 
 private:
     LampShadows m_shadows;
