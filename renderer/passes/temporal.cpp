@@ -7,7 +7,8 @@
 namespace renderer {
 namespace {
 
-constexpr float kLeastShare = 0.06f; // of a frame
+constexpr float kLeastShare = 0.06f;        // of a frame while the eye rests
+constexpr float kLeastShareMoving = 0.14f; // looking up what was gathered blurs it a little each time
 
 // Digits of a number, mirrored behind the point: spread evenly wherever one stops.
 double halton(int index, int base)
@@ -47,7 +48,8 @@ const gl::Texture& TemporalPass::render(GpuFrame& gpu, const Radiance& radiance,
             target->framebuffer = gl::Framebuffer{{.label = "gathered frames", .colours = {&target->texture}}};
         }
     // While few are gathered they weigh the same.
-    const float share = std::max(1.0f / float(frame + 1), kLeastShare);
+    const bool rests = eye.position == last.position && eye.clipFromRelative == last.clipFromRelative;
+    const float share = std::max(1.0f / float(frame + 1), rests ? kLeastShare : kLeastShareMoving);
     const glm::dmat4 toLastEye = glm::translate(glm::dmat4{1}, eye.position - last.position);
     gpu.constants(PASS_BINDING, Constants{glm::mat4{last.clipFromRelative * toLastEye}, {share, 0, 0, 0}});
     surfaces.bind(gpu);

@@ -1,10 +1,13 @@
 // Lens and film: white balance, contrast, saturation, vignette, grain, dithering. What is neutral changes nothing.
 #include "renderer/film.h"
+#include "renderer/shader_library.h"
 #include "renderer/shaders/shared/film.h"
+#include "renderer/shaders/shared/view.h"
 #include "tests/gl/support/shared_renderer.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <gtest/gtest.h>
 
@@ -78,6 +81,29 @@ TEST(Film, DiceFallEvenlyAroundNought)
     }
     EXPECT_NEAR(sum, 0, 1e-4);
     EXPECT_NEAR(squares, 1.0 / 6, 1e-3) << "the variance of a triangle";
+}
+
+// The blocks that both compilers read lie alike in both.
+TEST(Film, BlocksAgree)
+{
+    ASSERT_TRUE(test::haveContext());
+    renderer::ShaderLibrary shaders{WOLD_SOURCE_DIR "/renderer/shaders"};
+    const renderer::gl::Program& p = shaders.fullScreen(
+        "tone_map", {"CURVE 0", "BLOOM", "VIGNETTE", "GRAIN", "CONTRAST", "SATURATION", "WHITE_BALANCE", "CHOSEN_EXPOSURE"});
+    ASSERT_TRUE(p);
+    const auto offset = [&p](const char* name) {
+        const GLuint index = glGetProgramResourceIndex(p.id(), GL_UNIFORM, name);
+        constexpr GLenum kOffset = GL_OFFSET;
+        GLint found = -1;
+        if (index != GL_INVALID_INDEX) glGetProgramResourceiv(p.id(), GL_UNIFORM, index, 1, &kOffset, 1, nullptr, &found);
+        return found;
+    };
+    EXPECT_EQ(offset("view.jitter"), offsetof(glsl::View, jitter));
+    EXPECT_EQ(offset("film.white[0]"), offsetof(glsl::Film, white));
+    EXPECT_EQ(offset("film.contrast"), offsetof(glsl::Film, contrast));
+    EXPECT_EQ(offset("film.grain"), offsetof(glsl::Film, grain));
+    EXPECT_EQ(offset("film.moment"), offsetof(glsl::Film, moment));
+    EXPECT_EQ(offset("chosen.before"), 4);
 }
 
 class FilmPicture : public testing::Test {
