@@ -23,7 +23,7 @@ bool sameAir(glsl::Atmosphere a, glsl::Atmosphere b)
 
 bool sameHeight(const glsl::Atmosphere& a, const glsl::Atmosphere& b)
 {
-    return std::abs(a.eyeAltitude - b.eyeAltitude) <= std::max(0.05f * b.eyeAltitude, 0.01f); // haze thins by 1 % over 0.01 km
+    return std::abs(a.eyeAltitude - b.eyeAltitude) <= std::max(0.05f * b.eyeAltitude, 0.02f); // haze thins by 2 % over 0.02 km
 }
 
 } // namespace

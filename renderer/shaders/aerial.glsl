@@ -7,6 +7,8 @@
 #ifdef AERIAL
 layout(binding = AERIAL_UNIT) uniform sampler2DArray aerialTable;
 
+const float kClear = 0.04; // km, before which the air changes less than a picture can hold: nothing is looked up there
+
 // Optical depth of a layer that thins out with height, over `along` km from `altitude` to `rise` km above it, per unit of
 // coefficient at the ground. The world is flat.
 float airDepthAlong(float altitude, float rise, float along, float height)
@@ -38,6 +40,7 @@ vec3 throughAir(vec3 lit, vec3 relative)
     Atmosphere air = light.atmosphere;
     float metres = length(relative);
     float away = metres * (heavens.aerial * 1e-3); // km
+    if (away < kClear) return lit;
     float rise = max(relative.y * 1e-3, -air.eyeAltitude);
     vec3 depth = air.rayleigh * airDepthAlong(air.eyeAltitude, rise, away, air.rayleighHeight) +
                  vec3(air.mieExtinction * airDepthAlong(air.eyeAltitude, rise, away, air.mieHeight));

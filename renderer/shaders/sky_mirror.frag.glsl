@@ -6,7 +6,7 @@
 
 layout(location = 0) out vec4 radiance;
 
-const int kSamples = 24;
+const int kSamples = 16;
 
 void main()
 {

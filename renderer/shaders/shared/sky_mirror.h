@@ -5,7 +5,7 @@
 #include "shared.h"
 SHARED_BEGIN
 
-#define SKY_MIRROR_SIZE 64   // texels along a side of each level
+#define SKY_MIRROR_SIZE 48   // texels along a side of each level
 #define SKY_MIRROR_LEVELS 5
 #define SKY_MIRROR_ROUGHEST 0.7f // of the last level; rougher ones are the harmonics'
 
