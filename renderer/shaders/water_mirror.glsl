@@ -74,7 +74,7 @@ vec4 marched(vec3 from, vec3 direction, vec3 sky)
 
 vec3 mirroredRadiance(vec3 from, vec3 direction, float lost)
 {
-    vec3 sky = skyRadiance(direction);
+    vec3 sky = skyUnderClouds(skyRadiance(direction), direction.y);
     vec4 picture = farAway(from, direction, sky);
 #ifdef MARCH
     vec4 hit = marched(from, direction, sky);
