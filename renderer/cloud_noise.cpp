@@ -3,6 +3,7 @@
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/shaders/shared/clouds.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <vector>
