@@ -43,7 +43,7 @@ void addShafts(Viewpoint& viewpoint, const io::Fog& fog, const Settings& setting
     const bool volume = settings.froxels && !viewpoint.cascades.empty();
     if (!volume && sun.strength <= 0) return;
     viewpoint.shafts = volume ? Shafts::Volume : Shafts::Screen;
-    const double end = viewpoint.cascades.empty() ? 0 : viewpoint.cascades.back().endDepth;
+    const double end = viewpoint.cascades.empty() ? 0 : viewpoint.cascades.back().end;
     viewpoint.shaftConstants = {.sun = glm::vec2{sun.place},
                                 .strength = float(fog.shafts * (volume ? 1.0 : sun.strength)),
                                 .range = float(std::clamp(end * kRange, kLeastRange, kMostRange))};

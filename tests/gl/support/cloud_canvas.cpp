@@ -17,14 +17,17 @@ std::vector<glm::vec4> CloudCanvas::draw(const std::string& probe, const io::Env
 {
     const renderer::Eye eye = renderer::eyeOf({.eye = place}, m_values.size());
     const renderer::Settings settings;
-    const glsl::Light light = renderer::lightOf({.environment = environment, .settings = settings, .eye = eye, .time = time});
+    const renderer::Bodies bodies = renderer::bodiesOf(environment);
+    const glsl::Heavens heavens = renderer::heavensOf(environment, bodies);
+    const glsl::Light light = renderer::lightOf({.environment = environment, .settings = settings, .eye = eye, .bodies = bodies, .time = time});
     const glsl::Clouds clouds = renderer::cloudsOf(environment, light, eye, time);
     {
         renderer::GpuFrame gpu{m_stream, m_timers, m_stats, m_empty};
         gpu.constants(VIEW_BINDING, renderer::viewBlock(eye, eye.clipFromRelative, time, 1));
         gpu.constants(LIGHT_BINDING, light);
+        gpu.constants(HEAVENS_BINDING, heavens);
         m_clouds.update(gpu, clouds, kind);
-        m_sky.update(gpu, light, clouds);
+        m_sky.update(gpu, light, heavens, clouds);
         m_target.bind();
         gpu.fullScreen(m_shaders.program({.label = probe, .stages = {"full_screen.vert.glsl", "../../tests/gl/support/" + probe + ".frag.glsl"}}),
                        {}, {});
