@@ -99,7 +99,7 @@ Environment withPreset(const Environment& own, Preset preset)
         e.clouds.softness = 0.45f;
         e.fog = {.density = 0.0005f, .height = 70, .base = own.fog.base, .shafts = 1};
         e.wind.speed = 1;
-        e.exposure = 5.2f;
+        e.exposure = 4.7f;
         break;
     case Preset::Noon:
         placeAtNoon(e);
@@ -110,14 +110,14 @@ Environment withPreset(const Environment& own, Preset preset)
         placeSun(e, 7, false);
         e.clouds.coverage = 0.35f;
         e.fog = {.density = 0.00022f, .height = 200, .base = own.fog.base, .shafts = 1};
-        e.exposure = 4.1f;
+        e.exposure = 4.4f;
         break;
     case Preset::Dusk:
         placeSun(e, -2, false);
         e.clouds.coverage = 0.4f;
         e.fog = {.density = 0.0002f, .height = 150, .base = own.fog.base, .shafts = 1};
         e.wind.speed = 1.5f;
-        e.exposure = 6.8f;
+        e.exposure = 4.0f;
         break;
     case Preset::Overcast:
         placeSun(e, 35, false);
@@ -126,10 +126,11 @@ Environment withPreset(const Environment& own, Preset preset)
         e.clouds.altitude = 1400;
         e.fog = {.density = 0.0003f, .height = 500, .base = own.fog.base, .shafts = 0.5f};
         e.wind.speed = 5;
-        e.exposure = 4.2f;
+        e.grading.temperature = 5400;
+        e.exposure = 4.3f;
         break;
     case Preset::Storm:
-        placeSun(e, 20, false);
+        placeSun(e, 32, false);
         e.clouds.coverage = 1;
         e.clouds.softness = 0.35f;
         e.clouds.altitude = 900;
@@ -137,11 +138,13 @@ Environment withPreset(const Environment& own, Preset preset)
         e.clouds.density = 0.09f;
         e.clouds.speed = 25;
         e.clouds.change = 3;
-        e.weather.rain = 18;
+        e.weather.rain = 10;
         e.fog = {.density = 0.0009f, .height = 600, .base = own.fog.base, .shafts = 0.3f};
         e.wind.speed = 13;
         e.wind.gustiness = 0.7f;
-        e.exposure = 4.6f;
+        e.grading.temperature = 4900;
+        e.grading.saturation = 0.9f;
+        e.exposure = 5.6f;
         break;
     case Preset::Night:
         placeSun(e, -25, false);
@@ -152,7 +155,7 @@ Environment withPreset(const Environment& own, Preset preset)
         e.clouds.coverage = 0.2f;
         e.fog = {.density = 0.0002f, .height = 90, .base = own.fog.base, .shafts = 1};
         e.wind.speed = 1;
-        e.exposure = 8;
+        e.exposure = 4.4f;
         break;
     }
     return e;

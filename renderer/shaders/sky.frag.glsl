@@ -22,6 +22,23 @@ layout(location = 1) in vec3 ray;
 layout(location = 0) out vec4 radiance;
 #ifdef FROM_DOME
 layout(binding = IMAGE_UNIT) uniform sampler2D dome; // radiance; share of what stands behind that comes through
+
+// As a cubic B-spline by four bilinear taps (Sigg and Hadwiger, "Fast Third-Order Texture Filtering", GPU Gems 2): between its few
+// pixels edges of clouds would be stairs.
+vec4 domeAt(vec2 place)
+{
+    vec2 size = vec2(textureSize(dome, 0));
+    vec2 at = place * size - 0.5;
+    vec2 f = fract(at);
+    vec2 f2 = f * f, f3 = f2 * f;
+    vec2 w0 = (1.0 - f) * (1.0 - f) * (1.0 - f) * (1.0 / 6.0);
+    vec2 w1 = (4.0 - 6.0 * f2 + 3.0 * f3) * (1.0 / 6.0);
+    vec2 w3 = f3 * (1.0 / 6.0);
+    vec2 low = w0 + w1, high = 1.0 - low;
+    vec2 a = (floor(at) - 0.5 + w1 / low) / size, b = (floor(at) + 1.5 + w3 / high) / size;
+    return mix(mix(textureLod(dome, a, 0.0), textureLod(dome, vec2(b.x, a.y), 0.0), high.x),
+               mix(textureLod(dome, vec2(a.x, b.y), 0.0), textureLod(dome, b, 0.0), high.x), high.y);
+}
 #endif
 
 // What the air and the planet let through from outside.
@@ -81,7 +98,7 @@ void main()
 {
     vec3 direction = normalize(ray);
 #ifdef FROM_DOME
-    vec4 behind = textureLod(dome, uv, 0.0);
+    vec4 behind = domeAt(uv);
 #else
     vec4 behind = domeTowards(direction);
 #endif

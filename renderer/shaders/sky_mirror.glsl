@@ -3,6 +3,7 @@
 #include "shared/sky_mirror.h"
 #include "sky_light.glsl"
 #include "sky_tables.glsl"
+#include "sky_under_clouds.glsl"
 
 #ifdef STUDIO
 vec3 skyMirrored(vec3 mirrored, vec3 normal, float roughness)
@@ -24,7 +25,8 @@ vec3 skyMirrored(vec3 mirrored, vec3 normal, float roughness)
     float low = min(floor(level), float(SKY_MIRROR_LEVELS - 2));
     vec3 sharp = textureLod(skyMirrorTable, skyMirrorUv(place, low), 0.0).rgb;
     vec3 blurred = textureLod(skyMirrorTable, skyMirrorUv(place, low + 1.0), 0.0).rgb;
-    vec3 sky = mix(sharp, blurred, level - low) * light.sunAbove + nightSky(towards.y);
+    vec3 clear = mix(sharp, blurred, level - low) * light.sunAbove + nightSky(towards.y);
+    vec3 sky = skyUnderClouds(clear, towards.y); // which one, a surface does not show: their mean
     return mix(sky, wide, smoothstep(SKY_MIRROR_ROUGHEST - 0.15, SKY_MIRROR_ROUGHEST, roughness));
 }
 #endif

@@ -25,12 +25,12 @@ TEST(EnvironmentFile, ReadsWell)
     environment.extra.add("sun.corona", "1.50");
     const std::string text = environmentText(environment);
     EXPECT_TRUE(text.starts_with(
-        "{\n  \"format\": \"wold-environment\",\n  \"version\": 1,\n  \"time\": 10.5,\n  \"day_of_year\": 172,\n"))
+        "{\n  \"format\": \"wold-environment\",\n  \"version\": 1,\n  \"time\": 10.5,\n  \"clock\": \"solar\",\n"))
         << text;
     EXPECT_NE(text.find("    \"irradiance\": [1,1,1],\n    \"angular_diameter\": 0.53,\n    \"corona\": 1.50\n  },\n"),
               std::string::npos)
         << text;
-    EXPECT_TRUE(text.ends_with("    \"bias\": 1\n  },\n  \"aurora\": {\"strength\":2}\n}\n")) << text;
+    EXPECT_TRUE(text.ends_with("    \"grain\": 0\n  },\n  \"aurora\": {\"strength\":2}\n}\n")) << text;
 }
 
 TEST(EnvironmentFile, ComesBackAsItWas)
@@ -45,7 +45,7 @@ TEST(EnvironmentFile, ComesBackAsItWas)
     ASSERT_TRUE(back) << back.error().text();
     EXPECT_EQ(*back, environment);
     EXPECT_EQ(environmentText(*back), environmentText(environment));
-    EXPECT_EQ(listed(complaints), "e.json:14: sun.a.b: unknown key; kept as it is\n");
+    EXPECT_EQ(listed(complaints), "e.json:26: sun.a.b: unknown key; kept as it is\n");
 }
 
 TEST(EnvironmentFile, MissingKeysHaveTheirDefaults)

@@ -82,8 +82,8 @@ TEST(FieldValue, BadAirIsRefusedByName)
 TEST(FieldValue, UnknownKeysNameThoseThatAreNear)
 {
     Environment e;
-    EXPECT_EQ(faultOf(setField(e, "sun.azimut", 1)), "sun.azimut: unknown key; did you mean sun.azimuth?");
-    EXPECT_EQ(faultOf(setField(e, "density", 1)), "density: unknown key; did you mean fog.density?");
+    EXPECT_EQ(faultOf(setField(e, "sun.azimut", 1)), "sun.azimut: unknown key; did you mean sun.azimuth or moon.azimuth?");
+    EXPECT_EQ(faultOf(setField(e, "density", 1)), "density: unknown key; did you mean clouds.density or fog.density?");
     EXPECT_EQ(faultOf(setField(e, "entirely.else", 1)), "entirely.else: unknown key");
     EXPECT_FALSE(getField(e, "sun."));
     EXPECT_FALSE(getField(e, ""));
