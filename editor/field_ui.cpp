@@ -60,7 +60,6 @@ bool FieldUi::beginSection(const char* key)
     if (m_options.filter.empty()) ImGui::Dummy({0, 2});
     if (m_options.filter.empty() && !ui::section(id.c_str(), tr("section." + id))) return false;
     m_path += std::string{key} + ".";
-    if (m_options.before) m_options.before(m_path);
     return true;
 }
 

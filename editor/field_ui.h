@@ -18,7 +18,6 @@ struct FieldUiOptions {
     std::string filter;                                // lowered: only rows whose label holds this
     std::function<bool(std::string_view key)> enabled; // none: all are
     std::function<std::vector<std::string>(std::string_view key)> files; // that a text may name; none: it is typed
-    std::function<void(std::string_view key)> before;  // may draw rows of its own at the top of a section, "sun."
 };
 
 class FieldUi {

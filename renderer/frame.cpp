@@ -98,6 +98,7 @@ Picture Renderer::State::render(const FrameInput& in)
     else show.render(gpu, canvas, in.show, hdr, surfaces, scenery, viewpoint, drawn, in.settings);
     const std::span<const io::ObjectId> outlined = final ? in.selection : std::span<const io::ObjectId>{};
     overlay.render(gpu, canvas, surfaces, viewpoint, scenery.world.boundsOf(outlined), linesOf(in, viewpoint));
+    exposureByHand = std::log2(double(viewpoint.still.exposure));
     stats.gathering = viewpoint.gathered && *viewpoint.gathered < kTemporalFrames;
     last = {viewpoint.eye, in.time, viewpoint.gathered};
     stats.cullingFrozen = in.freezeCulling;

@@ -128,7 +128,7 @@ std::vector<std::uint32_t> Renderer::readIds(glm::ivec2 topLeft, glm::ivec2 size
 double Renderer::readExposure()
 {
     if (m_state->exposure.chosen()) return m_state->exposure.read();
-    return m_state->scenery.environment.exposure;
+    return m_state->exposureByHand;
 }
 
 Picture Renderer::thumbnail(io::TemplateId id, int pixels)

@@ -90,6 +90,7 @@ struct Renderer::State {
     };
     std::optional<Last> last; // none: nothing to go on from
 
+    double exposureByHand = 0; // EV, of the last frame, with what eyes used to the dark add
     PictureTarget canvas;
     Radiance* radiance = nullptr; // of the last frame, if that has any
 };

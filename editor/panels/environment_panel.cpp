@@ -65,11 +65,9 @@ void EnvironmentPanel::draw(Editor& editor)
     ImGui::SetNextItemWidth(-1);
     ui::searchField("##search", tr("environment.search"), m_search);
     ImGui::Dummy({0, 2});
+    if (m_search.empty()) sunDragged = sunDial(shown);
     FieldUiOptions options{.defaults = scalarsOf(io::Environment{}), .filter = lowerCase(m_search)};
     options.enabled = [now = shown](std::string_view key) { return counts(now, key); };
-    options.before = [&](std::string_view section) {
-        if (section == "sun." && m_search.empty()) sunDragged = sunDial(shown);
-    };
     FieldUi ui{std::move(options)};
     fields(ui, shown);
 

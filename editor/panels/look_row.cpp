@@ -80,7 +80,7 @@ void LookRow::keepLook(Editor& editor)
         if (!done) return editor.toasts().add(io::log::Level::Error, done.error().text());
         ImGui::CloseCurrentPopup();
     };
-    if (ui::button("keep", tr("environment.keep"), ui::Emphasis::Accent)) {
+    if (ui::button("keep", tr("environment.keep_now"), ui::Emphasis::Accent)) {
         const io::Environment& own = editor.document()->scene().environment();
         const io::Status done = kept.save(m_name, editor.live().shown(own).value_or(own));
         if (done) m_chosen = m_name;

@@ -3,6 +3,7 @@
 #include "heavens.glsl"
 #include "light.glsl"
 #include "sky_tables.glsl"
+#include "sky_under_clouds.glsl"
 
 #ifdef AERIAL
 layout(binding = AERIAL_UNIT) uniform sampler2DArray aerialTable;
@@ -45,7 +46,10 @@ vec3 throughAir(vec3 lit, vec3 relative)
     vec3 depth = air.rayleigh * airDepthAlong(air.eyeAltitude, rise, away, air.rayleighHeight) +
                  vec3(air.mieExtinction * airDepthAlong(air.eyeAltitude, rise, away, air.mieHeight));
     vec3 direction = relative / max(metres, 1e-3);
-    return lit * exp(-depth) + airLight(direction, away) * light.sunAbove + nightSky(0.0) * (vec3(1.0) - exp(-depth)) * 0.5;
+    vec3 through = exp(-depth);
+    // Under a closed cover of clouds air is lit by them, not by sun and sky.
+    vec3 clear = airLight(direction, away) * light.sunAbove + nightSky(0.0) * (vec3(1.0) - through) * 0.5;
+    return lit * through + mix(clear, overcastRadiance(0.0) * (vec3(1.0) - through), clouds.cover * clouds.on);
 #else
     return lit;
 #endif

@@ -76,7 +76,8 @@ TEST_F(Commands, setTimeAndQualityChangeThePicture)
     EXPECT_NE(plain, draw("sun.png", {"--set", "environment.sun.mode=manual", "--set", "environment.sun.azimuth=10"}));
     EXPECT_NE(plain, draw("shadows.png", {"--set", "render.shadows=off"}));
     EXPECT_NE(plain, draw("tone.png", {"--set", "render.tonemap=reinhard"}));
-    EXPECT_EQ(plain, draw("ao.png", {"--set", "render.ao=off"}));
+    EXPECT_NE(plain, draw("ao.png", {"--set", "render.ao=off"}));
+    EXPECT_NE(plain, draw("look.png", {"--look", "dusk"}));
     EXPECT_EQ(plain, draw("high.png", {"--quality", "high"}));
 }
 

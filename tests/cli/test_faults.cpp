@@ -18,9 +18,13 @@ TEST_F(Faults, wrongWordsEndWithTwo)
     expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "environment.fog.densitty=1"}),
                  "densitty");
     expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "environment.time=noon"}), "noon");
-    expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "render.ao=on"}),
+    expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "render.grass=on"}),
                  "comes with a later release");
     expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "colour=red"}), "colour");
+    expectMisuse(wold({"render", project, "--out", folder / "a.png", "--look", "tuesday"}), "golden-hour");
+    for (const char* wrong : {"sky.planet_radius=0", "fog.density=-1", "sky.mie_scattering=nan", "shadows.filter=pcf9", "clouds.coverage=2"})
+        expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", std::string{"environment."} + wrong}),
+                     std::string{wrong}.substr(0, std::string_view{wrong}.find('=')));
     expectMisuse(wold({"play", project}), "comes with a later release");
     expectMisuse(wold({"edit", project, "--headless"}), "--replay");
     EXPECT_FALSE(fs::exists(folder / "a.png"));

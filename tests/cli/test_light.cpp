@@ -174,7 +174,7 @@ TEST_F(Light, EachWidgetOfTheEnvironmentChangesPictureAndFile)
     for (const Stage& stage : stages()) {
         std::vector<Field> own;
         std::ranges::copy_if(all, std::back_inserter(own), [&](const Field& field) { return &stageOf(field) == &stage; });
-        const std::string settled = "{\"wait\": 3}\n{\"click\": {\"panel\": \"dock\", \"label\": \"Environment\"}}\n{\"wait\": 2}\n";
+        const std::string settled = "{\"wait\": 3}\n{\"click\": {\"kind\": \"tab\", \"label\": \"Environment\"}}\n{\"wait\": 2}\n";
         std::set<std::string> labels;
         std::string events = settled;
         for (const Field& field : own)

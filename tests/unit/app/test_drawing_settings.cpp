@@ -21,9 +21,7 @@ TEST(DrawingSettings, takeWordsAndBooleans)
 TEST(DrawingSettings, whatComesLaterMayBeSetToWhatIsTrueNow)
 {
     renderer::Settings s;
-    for (const auto& [key, now, later] : std::vector<std::array<const char*, 3>>{{"ao", "off", "on"},
-                                                                                 {"grass", "off", "on"},
-                                                                                 {"bloom", "off", "on"}}) {
+    for (const auto& [key, now, later] : std::vector<std::array<const char*, 3>>{{"grass", "off", "on"}}) {
         EXPECT_TRUE(setDrawing(s, key, now)) << key;
         const io::Status refused = setDrawing(s, key, later);
         ASSERT_FALSE(refused) << key;
@@ -33,7 +31,8 @@ TEST(DrawingSettings, whatComesLaterMayBeSetToWhatIsTrueNow)
     EXPECT_TRUE(setDrawing(s, "terrain", "tessellation"));
     EXPECT_EQ(s.terrain, renderer::GroundStages::Tessellation);
     EXPECT_TRUE(setDrawing(s, "terrain", "grid"));
-    EXPECT_FALSE(setDrawing(s, "aa", "taa"));
+    EXPECT_TRUE(setDrawing(s, "aa", "taa"));
+    EXPECT_EQ(s.antiAliasing, renderer::AntiAliasing::Taa);
     EXPECT_TRUE(setDrawing(s, "aa", "off"));
     EXPECT_EQ(s, (renderer::Settings{.antiAliasing = renderer::AntiAliasing::Off}));
 }
@@ -59,7 +58,11 @@ TEST(DrawingSettings, qualityCapsShadowsAndAutoSparesSoftware)
     EXPECT_LT(capped(io::Shadows{}, low).resolution, capped(io::Shadows{}, software).resolution);
     EXPECT_EQ(hardware.terrain, renderer::GroundStages::Tessellation);
     EXPECT_EQ(high.terrain, renderer::GroundStages::Grid);
+    EXPECT_TRUE(hardware.froxels && hardware.cloudKind == renderer::CloudKind::Volume);
+    EXPECT_TRUE(software.halfOcclusion && !hardware.halfOcclusion);
     hardware.terrain = high.terrain; // all that tells the two apart
+    hardware.froxels = high.froxels;
+    hardware.cloudKind = high.cloudKind;
     EXPECT_EQ(hardware, high);
     EXPECT_FALSE(low.wind || software.wind); // vertices that sway cost more
     EXPECT_TRUE(high.wind);
