@@ -20,7 +20,7 @@ struct LookNames {
 
 LookNames lookNames()
 {
-    LookNames looks;
+    LookNames looks{.names = {""}, .shown = {tr("environment.look_none")}};
     for (const std::string_view name : enumNames(io::Preset{})) {
         looks.names.emplace_back(name);
         looks.shown.emplace_back(tr("look." + std::string{name}));
@@ -49,14 +49,14 @@ void LookRow::draw(Editor& editor)
     const float between = ImGui::GetStyle().ItemSpacing.x;
     const float rest = kSecondsWidth + ui::kToolSize * 2 + between * 3;
     const LookNames looks = lookNames();
-    int chosen = -1;
+    int chosen = 0;
     if (const auto at = std::ranges::find(looks.names, m_chosen); at != looks.names.end()) chosen = int(at - looks.names.begin());
     ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - rest, 60.0f));
-    if (ui::combo("##look", tr("environment.look"), looks.shown, chosen) && chosen >= 0) choose(editor, looks.names[std::size_t(chosen)]);
-    ui::tooltip(tr("environment.look_tip"));
+    if (ui::combo("##look", tr("environment.look"), looks.shown, chosen) && chosen > 0) choose(editor, looks.names[std::size_t(chosen)]);
+    if (ImGui::IsItemHovered()) ui::tooltip(tr("environment.look_tip"));
     ImGui::SameLine();
     ui::number({.id = "##over", .label = tr("environment.over"), .min = 0, .max = kLongest, .speed = 0.1, .decimals = 0, .unit = "s", .width = kSecondsWidth}, m_seconds);
-    ui::tooltip(tr("environment.over_tip"));
+    if (ImGui::IsItemHovered()) ui::tooltip(tr("environment.over_tip"));
     ImGui::SameLine();
     if (ui::iconButton({.id = "keep_look", .icon = Icon::Save, .label = tr("environment.keep")})) {
         m_name.clear();

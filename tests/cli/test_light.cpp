@@ -15,20 +15,24 @@ namespace {
 struct Field {
     std::string key, label;
     std::size_t among = 0; // of the fields with this label
+    std::vector<std::string> options; // to choose from
 };
 
 struct FieldList {
-    const io::Value& texts;
+    const io::Value &texts, &values;
     std::string path;
     std::vector<Field>& all;
 
     template <class T> void operator()(const char* key, T& value, const io::Hint&)
     {
         if constexpr (requires(FieldList inner) { fields(inner, value); }) {
-            FieldList inner{texts, path + key + ".", all};
+            FieldList inner{texts, values, path + key + ".", all};
             fields(inner, value);
         } else {
-            Field field{path + key, text(texts, path + key)};
+            Field field{.key = path + key, .label = text(texts, path + key)};
+            if constexpr (requires { enumNames(value); })
+                for (const std::string_view name : enumNames(value))
+                    field.options.push_back(text(values, name));
             field.among = std::size_t(std::ranges::count(all, field.label, &Field::label));
             all.push_back(field);
         }
@@ -40,7 +44,7 @@ std::vector<Field> environmentFields()
     const io::Value english = json(textOf(WOLD_SOURCE_DIR "/app/lang/en.json"));
     std::vector<Field> all;
     io::Environment environment;
-    FieldList list{*english.find("field"), "", all};
+    FieldList list{*english.find("field"), *english.find("value"), "", all};
     fields(list, environment);
     return all;
 }
@@ -56,8 +60,8 @@ const std::array<Stage, 8>& stages()
         {{"environment.sun.mode=manual"}, {"sun.azimuth", "sun.elevation"}},
         {{"environment.time=23.5", "environment.moon.mode=manual", "environment.exposure=9", "environment.clouds.coverage=0.1"}, {"moon.", "sky.stars"}},
         {{"environment.clock=zone", "environment.time_zone=1", "environment.longitude=15"}, {"clock", "time_zone", "longitude", "year"}},
-        {{"environment.shadows.splits=manual", "environment.shadows.cascades=6", "environment.shadows.end_1=4", "environment.shadows.end_2=8", "environment.shadows.end_3=14",
-          "environment.shadows.end_4=20", "environment.shadows.end_5=26", "environment.shadows.distance=40"},
+        {{"environment.shadows.splits=manual", "environment.shadows.end_1=4", "environment.shadows.end_2=8", "environment.shadows.end_3=14",
+          "environment.shadows.end_4=20", "environment.shadows.end_5=26", "environment.shadows.cascades=6", "environment.shadows.distance=40"},
          {"shadows.splits", "shadows.end_"}},
         {{"environment.auto_exposure.on=on"}, {"auto_exposure."}},
         {{"environment.water.on=on", "environment.water.level=6", "environment.water.waves=0.5"}, {"water."}},
@@ -81,7 +85,7 @@ bool showsOnlyInTime(const Field& field)
 }
 
 struct Widget {
-    std::string kind;
+    std::string kind, value;
     std::array<int, 4> rect{}; // pixels: x, y, width, height
     std::string place() const { return fmt::format("[{}, {}]", rect[0] + rect[2] / 3, rect[1] + rect[3] / 2); }
 };
@@ -94,6 +98,7 @@ std::vector<Widget> widgetsOf(const io::Value& map, const std::string& label)
         const bool edits = kind == "number" || kind == "combo" || kind == "checkbox" || kind == "colour";
         if (text(item, "panel") != "environment" || !edits || (own != label && own != label + " X")) continue;
         Widget widget{.kind = kind};
+        if (const io::Value* value = item.find("value"); value && value->asString()) widget.value = *value->asString();
         for (std::size_t i = 0; i < 4; ++i)
             widget.rect[i] = int(*(*item.find("rect")->asArray())[i].asNumber());
         found.push_back(widget);
@@ -135,10 +140,14 @@ struct Light : SmallWorld {
 {"do":"set","key":"environment.weather.rain","value":3}
 {"do":"set","key":"environment.sky.aerial","value":30}
 )"};
-    std::vector<std::string> words(const Stage& stage, const std::string& events)
+    std::vector<std::string> words(const Stage& stage, const std::string& events, bool looked = false)
     {
-        std::vector<std::string> all{"edit", project, "--replay", folder.write("events.jsonl", events), "--size", "1000x600", "--quality", "medium", "--quiet"};
-        for (const std::string& set : stage.sets) {
+        std::vector<std::string> all{"edit", project, "--replay", folder.write("events.jsonl", events), "--size", "800x520", "--quality", "medium", "--quiet"};
+        std::vector<std::string> sets = stage.sets;
+        if (!looked) // what is drawn does not matter
+            for (const char* costly : {"shadows", "clouds", "ao", "particles", "water", "fog", "bloom"})
+                sets.push_back(std::string{"render."} + costly + "=off");
+        for (const std::string& set : sets) {
             all.emplace_back("--set");
             all.push_back(set);
         }
@@ -148,12 +157,16 @@ struct Light : SmallWorld {
     {
         return "{\"click\": {\"panel\": \"environment\", \"label\": \"Search settings\"}}\n{\"key\": \"Ctrl+A\"}\n{\"text\": \"" + label + "\"}\n{\"wait\": 2}\n";
     }
-    static std::string use(const Widget& widget)
+    static std::string use(const Field& field, const Widget& widget)
     {
         if (widget.kind == "number" || widget.kind == "colour")
             return fmt::format("{{\"drag\": {{\"from\": {0}, \"to\": [{1}, {2}], \"steps\": 2}}}}\n{{\"wait\": 1}}\n", widget.place(), widget.rect[0] + widget.rect[2] / 3 + 60,
                                widget.rect[1] + widget.rect[3] / 2);
-        const std::string other = widget.kind == "combo" ? "{\"wait\": 1}\n{\"key\": \"Down\"}\n{\"key\": \"Enter\"}\n" : "";
+        std::string other;
+        if (widget.kind == "combo") {
+            const auto option = std::ranges::find_if(field.options, [&](const std::string& one) { return one != widget.value; });
+            other = "{\"click\": {\"kind\": \"option\", \"label\": \"" + *option + "\"}}\n";
+        }
         return "{\"click\": " + widget.place() + "}\n" + other + "{\"wait\": 2}\n";
     }
     io::Value saved() const { return json(textOf(project + "/environments/day.json")); }
@@ -183,27 +196,30 @@ TEST_F(Light, EachWidgetOfTheEnvironmentChangesPictureAndFile)
         ASSERT_EQ(ran.code, 0) << ran.err;
 
         std::map<std::string, io::Value> maps;
-        std::string looked = settled, kept = settled;
+        std::string looked = settled, kept = settled, switched; // what chooses goes last: others may then have nothing to say
         std::string last;
         for (const Field& field : own) {
             if (const std::string map = folder / (field.key + ".json"); std::filesystem::exists(map)) maps[field.label] = json(textOf(map));
             const std::vector<Widget> widgets = widgetsOf(maps[field.label], field.label);
             ASSERT_GT(widgets.size(), field.among) << field.key;
-            const std::string way = (field.label == last ? "" : search(field.label)), used = use(widgets[field.among]);
+            const std::string way = (field.label == last ? "" : search(field.label)), used = use(field, widgets[field.among]);
             last = field.label;
             looked += way + "{\"shot\": \"" + folder / (field.key + "-0.png") + "\"}\n" + used + "{\"shot\": \"" + folder / (field.key + "-1.png") + "\"}\n{\"key\": \"Ctrl+Z\"}\n{\"wait\": 1}\n";
-            kept += way + used;
+            const bool chooses = widgets[field.among].kind == "combo" || widgets[field.among].kind == "checkbox";
+            (chooses ? switched : kept) += search(field.label) + used;
         }
-        ran = wold(words(stage, looked));
+        ran = wold(words(stage, looked, true));
         ASSERT_EQ(ran.code, 0) << ran.err;
         for (const Field& field : own) {
             if (showsOnlyInTime(field)) continue;
             EXPECT_GT(changedPixels(folder / (field.key + "-0.png"), folder / (field.key + "-1.png"), viewportOf(maps[field.label])), 20) << field.key;
         }
-        const std::string before = textOf(project + "/environments/day.json");
-        ran = wold(words(stage, kept + "{\"key\": \"Ctrl+S\"}\n{\"wait\": 3}\n"));
+        const std::string before = textOf(project + "/environments/day.json"), save = "{\"key\": \"Ctrl+S\"}\n{\"wait\": 3}\n";
+        ASSERT_EQ(wold(words(stage, settled + save)).code, 0);
+        const io::Value then = saved();
+        ran = wold(words(stage, kept + switched + save));
         ASSERT_EQ(ran.code, 0) << ran.err;
-        const io::Value now = saved(), then = json(before);
+        const io::Value now = saved();
         for (const Field& field : own) {
             const io::Value *a = valueAt(now, field.key), *b = valueAt(then, field.key);
             ASSERT_TRUE(a && b) << field.key;
