@@ -100,14 +100,20 @@ std::vector<float> blurred(const io::HeightGrid& heights, int reach)
     return result;
 }
 
-float noiseAt(const Brush& brush, const glm::dvec2& place)
+// Octaves that texels can hold: finer ones than two of them would be chance from texel to texel.
+int octavesOn(const Brush& brush, double texel)
+{
+    return std::clamp(int(std::floor(std::log2(double(brush.scale) / (2 * texel)))) + 1, 1, kOctaves);
+}
+
+float noiseAt(const Brush& brush, int octaves, const glm::dvec2& place)
 {
     const glm::vec2 p{place / double(brush.scale)};
     const auto seed = std::uint32_t(brush.seed);
     switch (brush.noise) {
     case BrushNoise::Simplex: return io::simplex(p, seed);
-    case BrushNoise::Ridged: return io::simplexRidged(p, seed, {.count = kOctaves}) * 2 - 1;
-    default: return io::simplexFbm(p, seed, {.count = kOctaves});
+    case BrushNoise::Ridged: return io::simplexRidged(p, seed, {.count = octaves}) * 2 - 1;
+    default: return io::simplexFbm(p, seed, {.count = octaves});
     }
 }
 
@@ -195,9 +201,11 @@ std::optional<HeightPatch> dabOn(const io::HeightMap& map, const Brush& brush, c
             return glm::mix(before.at(x, z), aim, std::min(share * dab.amount, 1.0f));
         });
         break;
-    case BrushTool::Noise:
-        change([&](int x, int z, float share) { return before.at(x, z) + dab.amount * share * noiseAt(brush, place(x, z)); });
+    case BrushTool::Noise: {
+        const int octaves = octavesOn(brush, map.metresPerTexel);
+        change([&](int x, int z, float share) { return before.at(x, z) + dab.amount * share * noiseAt(brush, octaves, place(x, z)); });
         break;
+    }
     case BrushTool::Stamp:
         if (brush.stamp && brush.stamp->size.x > 1 && brush.stamp->size.y > 1)
             change([&](int x, int z, float share) { return before.at(x, z) + dab.amount * share * stampAt(brush, dab, place(x, z)); });

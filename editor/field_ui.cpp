@@ -33,6 +33,7 @@ int decimalsFor(const io::Hint& hint, bool whole)
 double speedFor(const io::Hint& hint, bool whole, double value)
 {
     if (hint.max - hint.min <= ui::kOpenRange) return whole && hint.max - hint.min < 100 ? 0.04 : 0;
+    if (whole) return std::max(1.0, std::abs(value) * 0.005); // what is less than one would be rounded away
     if (std::string_view{hint.unit} == "deg") return 0.5;
     if (std::string_view{hint.unit} == "m") return 0.05;
     return std::max(0.005, std::abs(value) * 0.005); // a factor

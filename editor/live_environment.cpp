@@ -64,6 +64,13 @@ void LiveEnvironment::pass(Document& document, double seconds)
     setEnvironment(document, std::move(done.undoName), std::move(done.look));
 }
 
+void LiveEnvironment::goOnFrom(const io::Environment& now)
+{
+    m_hours = 0;
+    m_since = now.time;
+    m_turning.reset();
+}
+
 std::optional<io::Environment> LiveEnvironment::shown(const io::Environment& own) const
 {
     if (!moves()) return std::nullopt;

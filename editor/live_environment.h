@@ -20,6 +20,9 @@ public:
     void pass(Document& document, double seconds);
     void forget() { *this = {}; } // with the document that it was of
 
+    // The scene has become `now`, as it was shown and edited: the day goes on from there, and no look comes any more.
+    void goOnFrom(const io::Environment& now);
+
     // In place of the scene's; none while nothing moves.
     std::optional<io::Environment> shown(const io::Environment& own) const;
 

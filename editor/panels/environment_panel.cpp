@@ -58,7 +58,8 @@ void EnvironmentPanel::draw(Editor& editor)
 {
     if (!editor.document()) return;
     Document& document = *editor.document();
-    io::Environment shown = document.scene().environment();
+    const io::Environment& own = document.scene().environment();
+    io::Environment shown = editor.live().shown(own).value_or(own); // what is edited is what is seen
     bool sunDragged = false;
 
     m_looks.draw(editor);
@@ -71,6 +72,7 @@ void EnvironmentPanel::draw(Editor& editor)
     FieldUi ui{std::move(options)};
     fields(ui, shown);
 
+    if (sunDragged || !ui.changes().empty()) editor.live().goOnFrom(shown);
     if (sunDragged) {
         editor.beginEdit("environment.sun", tr("undo.sun"));
         setEnvironment(document, tr("undo.sun"), std::move(shown));

@@ -17,6 +17,7 @@ struct Field {
     std::string key, label;
     std::size_t among = 0; // of the fields with this label
     std::vector<std::string> options; // to choose from
+    double most = 0;                  // of a number
 };
 
 struct FieldList {
@@ -24,13 +25,13 @@ struct FieldList {
     std::string path;
     std::vector<Field>& all;
 
-    template <class T> void operator()(const char* key, T& value, const io::Hint&)
+    template <class T> void operator()(const char* key, T& value, const io::Hint& hint)
     {
         if constexpr (requires(FieldList inner) { fields(inner, value); }) {
             FieldList inner{texts, values, path + key + ".", all};
             fields(inner, value);
         } else {
-            Field field{.key = path + key, .label = text(texts, path + key)};
+            Field field{.key = path + key, .label = text(texts, path + key), .most = hint.max};
             if constexpr (requires { enumNames(value); })
                 for (const std::string_view name : enumNames(value))
                     field.options.push_back(text(values, name));
@@ -67,7 +68,7 @@ const std::array<Stage, 10>& stages()
         {{"environment.shadows.splits=manual", "environment.shadows.end_1=4", "environment.shadows.end_2=8", "environment.shadows.end_3=14",
           "environment.shadows.end_4=20", "environment.shadows.end_5=26", "environment.shadows.cascades=6", "environment.shadows.distance=40",
           "environment.shadows.resolution=512", "render.ao=off"},
-         {"shadows.splits", "shadows.end_", "shadows.distance", "shadows.resolution", "shadows.fade"},
+         {"shadows.splits", "shadows.end_", "shadows.cascades", "shadows.distance", "shadows.resolution", "shadows.fade"},
          "high"},
         {{"environment.auto_exposure.on=on", "environment.auto_exposure.highest=-1", "environment.auto_exposure.lowest=-3"}, {"auto_exposure.highest"}},
         {{"environment.auto_exposure.on=on"}, {"auto_exposure."}},
@@ -97,6 +98,7 @@ constexpr std::size_t kAtOnce = 20; // fields of one replay, which has two minut
 
 struct Widget {
     std::string kind, value;
+    double number = 0;
     std::array<int, 4> rect{}; // pixels: x, y, width, height
     std::string place() const { return fmt::format("[{}, {}]", rect[0] + rect[2] / 3, rect[1] + rect[3] / 2); }
 };
@@ -109,7 +111,10 @@ std::vector<Widget> widgetsOf(const io::Value& map, const std::string& label)
         const bool edits = kind == "number" || kind == "combo" || kind == "checkbox" || kind == "colour";
         if (text(item, "panel") != "environment" || !edits || (own != label && own != label + " X")) continue;
         Widget widget{.kind = kind};
-        if (const io::Value* value = item.find("value"); value && value->asString()) widget.value = *value->asString();
+        if (const io::Value* value = item.find("value")) {
+            if (value->asString()) widget.value = *value->asString();
+            if (value->asNumber()) widget.number = *value->asNumber();
+        }
         for (std::size_t i = 0; i < 4; ++i)
             widget.rect[i] = int(*(*item.find("rect")->asArray())[i].asNumber());
         found.push_back(widget);
@@ -175,8 +180,9 @@ struct Light : SmallWorld {
             return "{\"click\": " + widget.place() + "}\n{\"wait\": 2}\n{\"drag\": {\"from\": " + picker + "[-60, -40]}, \"to\": " + picker +
                    "[-20, 10]}, \"steps\": 2}}\n{\"key\": \"Escape\"}\n{\"wait\": 1}\n";
         }
+        const int by = widget.number < field.most ? 60 : -60; // pixels
         if (widget.kind == "number")
-            return fmt::format("{{\"drag\": {{\"from\": {0}, \"to\": [{1}, {2}], \"steps\": 2}}}}\n{{\"wait\": 1}}\n", widget.place(), widget.rect[0] + widget.rect[2] / 3 + 60,
+            return fmt::format("{{\"drag\": {{\"from\": {0}, \"to\": [{1}, {2}], \"steps\": 2}}}}\n{{\"wait\": 1}}\n", widget.place(), widget.rect[0] + widget.rect[2] / 3 + by,
                                widget.rect[1] + widget.rect[3] / 2);
         std::string other;
         if (widget.kind == "combo") {

@@ -111,6 +111,24 @@ TEST_F(Looks, TheDayRunsAndStopsAsOneStep)
     EXPECT_EQ(steps(), 1u);
 }
 
+TEST_F(Looks, WhatIsEditedWhileTheDayRunsIsWhatIsSeen)
+{
+    const float before = own().time;
+    rig.click("Run the day", "button", "environment");
+    rig.pass(0.2);
+    rig.pass(0.2);
+    rig.hold(true);
+    rig.click("Latitude", "number", "environment");
+    rig.hold(false);
+    rig.type("30");
+    rig.key({.key = Key::Enter});
+    rig.frame(2);
+    EXPECT_EQ(own().latitude, 30);
+    EXPECT_GT(own().time, before);
+    EXPECT_TRUE(rig.editor->live().dayRuns());
+    EXPECT_NEAR(rig.editor->live().shown(own())->time, own().time, 0.01);
+}
+
 TEST_F(Looks, ADayThatRunsBecomesTheNextAndTheNextYear)
 {
     io::Environment late = own();
