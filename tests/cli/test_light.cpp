@@ -222,7 +222,7 @@ void Light::lookAndKeep(const Stage& stage, std::span<const Field> own)
         const std::string way = (field.label == last ? "" : search(field.label)), used = use(field, widgets[field.among]);
         last = field.label;
         looked += way + "{\"shot\": \"" + folder / (field.key + "-0.png") + "\"}\n" + used + "{\"shot\": \"" + folder / (field.key + "-1.png") + "\"}\n{\"key\": \"Ctrl+Z\"}\n{\"wait\": 1}\n";
-        const bool chooses = widgets[field.among].kind == "combo" || widgets[field.among].kind == "checkbox";
+        const bool chooses = widgets[field.among].kind == "combo" || widgets[field.among].kind == "checkbox" || field.key == "shadows.cascades";
         (chooses ? switched : kept) += search(field.label) + used;
     }
     ran = wold(words(stage, looked, true));
