@@ -18,18 +18,21 @@ struct LookNames {
     std::vector<std::string> names, shown; // as files and scripts have them; as a person reads them
 };
 
-LookNames lookNames()
+LookNames lookNames(const std::vector<std::string>& own)
 {
     LookNames looks{.names = {""}, .shown = {tr("environment.look_none")}};
     for (const std::string_view name : enumNames(io::Preset{})) {
         looks.names.emplace_back(name);
         looks.shown.emplace_back(tr("look." + std::string{name}));
     }
-    for (const std::string& name : io::KeptLooks{io::looksFolder()}.names()) {
-        looks.names.push_back(name);
-        looks.shown.push_back(name);
-    }
+    looks.names.insert(looks.names.end(), own.begin(), own.end());
+    looks.shown.insert(looks.shown.end(), own.begin(), own.end());
     return looks;
+}
+
+std::vector<std::string> ownLooks()
+{
+    return io::KeptLooks{io::looksFolder()}.names();
 }
 
 } // namespace
@@ -48,11 +51,13 @@ void LookRow::draw(Editor& editor)
     Document& document = *editor.document();
     const float between = ImGui::GetStyle().ItemSpacing.x;
     const float rest = kSecondsWidth + ui::kToolSize * 2 + between * 3;
-    const LookNames looks = lookNames();
+    if (!m_own) m_own = ownLooks();
+    const LookNames looks = lookNames(*m_own);
     int chosen = 0;
     if (const auto at = std::ranges::find(looks.names, m_chosen); at != looks.names.end()) chosen = int(at - looks.names.begin());
     ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - rest, 60.0f));
     if (ui::combo("##look", tr("environment.look"), looks.shown, chosen) && chosen > 0) choose(editor, looks.names[std::size_t(chosen)]);
+    if (ImGui::IsItemClicked()) m_own = ownLooks();
     if (ImGui::IsItemHovered()) ui::tooltip(tr("environment.look_tip"));
     ImGui::SameLine();
     ui::number({.id = "##over", .label = tr("environment.over"), .min = 0, .max = kLongest, .speed = 0.1, .decimals = 0, .unit = "s", .width = kSecondsWidth}, m_seconds);
@@ -78,6 +83,7 @@ void LookRow::keepLook(Editor& editor)
     ui::textField("##name", tr("environment.look_name"), m_name);
     const auto close = [&](const io::Status& done) {
         if (!done) return editor.toasts().add(io::log::Level::Error, done.error().text());
+        m_own = ownLooks();
         ImGui::CloseCurrentPopup();
     };
     if (ui::button("keep", tr("environment.keep_now"), ui::Emphasis::Accent)) {
@@ -87,8 +93,7 @@ void LookRow::keepLook(Editor& editor)
         close(done);
     }
     const std::string& meant = m_name.empty() ? m_chosen : m_name;
-    const std::vector<std::string> names = kept.names();
-    if (std::ranges::find(names, meant) != names.end()) {
+    if (std::ranges::find(*m_own, meant) != m_own->end()) {
         ImGui::SameLine();
         if (ui::button("remove", trf("environment.remove", meant).c_str())) close(kept.remove(meant));
     }

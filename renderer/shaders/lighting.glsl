@@ -8,7 +8,6 @@
 #include "shared/gbuffer.h"
 #include "view.glsl"
 
-
 struct Surface {
     vec3 baseColour;
     vec3 normal;
