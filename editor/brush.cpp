@@ -1,6 +1,7 @@
 #include "editor/brush.h"
 
 #include "io/base/contract.h"
+#include "io/base/in_parallel.h"
 #include "io/base/noise.h"
 #include "io/base/random.h"
 #include "io/scene/rain.h"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr int kMostBlur = 24; // texels to a side; wider ones take longer than a frame
 constexpr int kOctaves = 5;
+constexpr int kRowsWorthAThread = 80; // below that a thread costs what it saves
 
 // The ground under a brush with a margin around it, as it was.
 struct Under {
@@ -61,19 +63,21 @@ bool masked(const Brush& brush)
     return brush.slope.x > 0 || brush.slope.y < 90 || brush.altitude.x > -1e5f || brush.altitude.y < 1e5f;
 }
 
-// change(x, z, share): in texels of `before`; share of the dab there.
+// change(x, z, share): in texels of `before`; share of the dab there. Called by several threads where the dab is wide.
 template <class Change> void forTexels(const Under& ground, const Brush& brush, const Dab& dab, HeightPatch& patch, Change&& change)
 {
     const bool mask = masked(brush);
     const double texel = ground.before.metresPerTexel;
-    for (int row = 0; row < ground.size.y; ++row)
-        for (int column = 0; column < ground.size.x; ++column) {
-            const int x = ground.low.x + column, z = ground.low.y + row;
-            const glm::dvec2 place = ground.before.origin + glm::dvec2{x, z} * texel;
-            float share = fading(brush, float(glm::distance(place, dab.centre) / brush.radius));
-            if (share > 0 && mask) share *= allowed(brush, ground.before, x, z);
-            if (share > 0) patch.heights.at(column, row) = change(x, z, share);
-        }
+    io::inParallel(ground.size.y, kRowsWorthAThread, [&](int from, int to) {
+        for (int row = from; row < to; ++row)
+            for (int column = 0; column < ground.size.x; ++column) {
+                const int x = ground.low.x + column, z = ground.low.y + row;
+                const glm::dvec2 place = ground.before.origin + glm::dvec2{x, z} * texel;
+                float share = fading(brush, float(glm::distance(place, dab.centre) / brush.radius));
+                if (share > 0 && mask) share *= allowed(brush, ground.before, x, z);
+                if (share > 0) patch.heights.at(column, row) = change(x, z, share);
+            }
+    });
 }
 
 // The mean of the squares around each texel, as sums along rows and then along columns.

@@ -19,7 +19,7 @@ namespace renderer {
 
 // From which size on a map is held as windows around the eye, and how wide those are; texels.
 struct TerrainLimits {
-    int whole = 8192, window = 2112;
+    int whole = 8192, window = 1344;
 };
 
 class Terrain {

@@ -31,7 +31,7 @@ public:
 
     // m that the map lies within of the node's triangles, as far as the middles of their edges tell: nowhere more than twice that on
     // ground without wrinkles finer than a quad. Of no node less than of those within it.
-    float error(int level, glm::ivec2 node) const { return m_levels[std::size_t(level)].errors[indexOf(level, node)].most; }
+    float error(int level, glm::ivec2 node) const { return level == 0 ? 0 : m_levels[std::size_t(level)].errors[indexOf(level, node)].most; }
 
     // Of one level everywhere; those that `seen(node)` lets through, each asked after its parent.
     template <class Test> std::vector<GroundNode> selectLevel(int level, Test&& seen) const
@@ -62,15 +62,18 @@ private:
     struct Level {
         glm::ivec2 nodes{0};
         std::vector<glm::vec2> lowHigh; // m
-        std::vector<Error> errors;
+        std::vector<Error> errors; // none of the finest, which is the map
         float usual = 0; // m that all but a fiftieth stray less, of this level or of a finer one
     };
-    // Nodes [low, high) of the finest level, and those above them.
-    void measure(const io::HeightMap& heights, glm::ivec2 low, glm::ivec2 high);
-    void measureNode(const io::HeightMap& heights, int level, glm::ivec2 node); // after those within it
-    glm::vec2 finestRange(const io::HeightMap& heights, glm::ivec2 node) const;
-    Error errorOf(const io::HeightMap& heights, int level, glm::ivec2 node) const;
-    Error errorAtTheEdge(const io::HeightMap& heights, int level, glm::ivec2 node) const;
+    struct Nodes {
+        glm::ivec2 low, high; // the latter beyond them
+    };
+    class Copied;
+    void measure(const io::HeightMap& heights, glm::ivec2 low, glm::ivec2 high); // nodes of the finest level, and those above them
+    void measureBlock(const io::HeightMap& heights, int whole, glm::ivec2 block, const Nodes& changed);
+    template <class Heights> void measureNode(const Heights& heights, int level, glm::ivec2 node); // after those within it
+    void findRanges(const Copied& texels, const Nodes& finest);
+    void findUsual();
 
     std::vector<Level> m_levels;
     glm::ivec2 m_size{0};

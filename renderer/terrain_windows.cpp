@@ -1,3 +1,4 @@
+#include "io/base/in_parallel.h"
 #include "renderer/terrain_texels.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@ namespace renderer {
 namespace {
 
 constexpr int kBlock = 32; // samples by which a window moves
+constexpr int kRowsAtOnce = 256, kRowsWorthAThread = 64;
 
 // Samples of a level: every `1 << level`-th texel, and for the one beyond the map's edge, the edge.
 struct Samples {
@@ -23,28 +25,35 @@ public:
             m_columns.push_back(texel(m_low.x + i, map.size.x));
     }
 
-    Samples take() const
+    void take(int from, int to, Samples& samples) const // rows of the rectangle
     {
-        Samples samples;
-        samples.heights.reserve(std::size_t(m_size.x) * m_size.y);
-        samples.normals.reserve(samples.heights.capacity());
-        std::vector<float> north = row(-1), here = row(0), south;
+        const std::size_t count = std::size_t(m_size.x) * std::size_t(to - from);
+        samples.heights.resize(count);
+        samples.normals.resize(count);
+        io::inParallel(to - from, kRowsWorthAThread, [&](int first, int last) {
+            const std::size_t skipped = std::size_t(m_size.x) * std::size_t(first);
+            takeRows(from + first, from + last, samples.heights.data() + skipped, samples.normals.data() + skipped);
+        });
+    }
+
+private:
+    void takeRows(int from, int to, float* heights, glm::i16vec2* normals) const
+    {
+        std::vector<float> north = row(from - 1), here = row(from), south;
         const auto metres = float(m_map.metresPerTexel);
-        for (int z = 0; z < m_size.y; ++z) {
+        for (int z = from; z < to; ++z) {
             south = row(z + 1);
             const int spanZ = std::max(texel(m_low.y + z + 1, m_map.size.y) - texel(m_low.y + z - 1, m_map.size.y), 1);
             for (std::size_t x = 1; x + 1 < m_columns.size(); ++x) {
                 const int spanX = std::max(m_columns[x + 1] - m_columns[x - 1], 1);
-                samples.heights.push_back(here[x]);
-                samples.normals.push_back(normalBetween({here[x - 1], here[x + 1]}, metres * float(spanX), {north[x], south[x]}, metres * float(spanZ)));
+                *heights++ = here[x];
+                *normals++ = normalBetween({here[x - 1], here[x + 1]}, metres * float(spanX), {north[x], south[x]}, metres * float(spanZ));
             }
             north.swap(here);
             here.swap(south);
         }
-        return samples;
     }
 
-private:
     int texel(int sample, int size) const { return std::clamp(sample * (1 << m_level), 0, size - 1); }
 
     std::vector<float> row(int z) const
@@ -147,9 +156,14 @@ private:
     void write(int level, const io::TexelRect& rect)
     {
         for (const io::TexelRect& piece : io::cutAtMultiples(rect, m_side)) {
-            const Samples samples = Sampler{*m_map, level, piece}.take();
-            m_heights.uploadPart(inTexture(piece.low), piece.high - piece.low, samples.heights.data(), GL_RED, GL_FLOAT, 0, level);
-            m_normals.uploadPart(inTexture(piece.low), piece.high - piece.low, samples.normals.data(), GL_RG, GL_SHORT, 0, level);
+            const Sampler sampler{*m_map, level, piece};
+            const glm::ivec2 at = inTexture(piece.low), size = piece.high - piece.low;
+            for (int row = 0; row < size.y; row += kRowsAtOnce) {
+                const int rows = std::min(kRowsAtOnce, size.y - row);
+                sampler.take(row, row + rows, m_samples);
+                m_heights.uploadPart({at.x, at.y + row}, {size.x, rows}, m_samples.heights.data(), GL_RED, GL_FLOAT, 0, level);
+                m_normals.uploadPart({at.x, at.y + row}, {size.x, rows}, m_samples.normals.data(), GL_RG, GL_SHORT, 0, level);
+            }
         }
     }
 
@@ -175,6 +189,7 @@ private:
     int m_side;
     std::shared_ptr<const io::HeightMap> m_map;
     std::shared_ptr<const io::CoverMap> m_coverMap;
+    Samples m_samples; // those on their way, kept as memory is dear to get
     std::vector<io::TexelRect> m_held; // samples of each level that its layer of the textures holds
 };
 
