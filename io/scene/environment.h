@@ -128,6 +128,7 @@ struct AutoExposure {
     float lowest = -4;          // EV, of the exposure that may be chosen
     float highest = 12;         // EV
     float seconds = 1;          // after which two thirds of a change are made
+    float darkness = 0.3f;      // share, in EV, that stays of what a scene is darker than a day: night is not to look like noon
     bool operator==(const AutoExposure&) const = default;
 };
 

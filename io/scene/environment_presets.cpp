@@ -107,17 +107,20 @@ Environment withPreset(const Environment& own, Preset preset)
         e.clouds.coverage = 0.3f;
         break;
     case Preset::GoldenHour:
-        placeSun(e, 7, false);
+        placeSun(e, 12, false); // mountains leave most valleys lit, and the light is warm already
         e.clouds.coverage = 0.35f;
         e.fog = {.density = 0.00022f, .height = 200, .base = own.fog.base, .shafts = 1};
-        e.exposure = 4.4f;
+        e.grading.temperature = 6000;
+        e.exposure = 4.5f;
         break;
     case Preset::Dusk:
         placeSun(e, -2, false);
         e.clouds.coverage = 0.4f;
         e.fog = {.density = 0.0002f, .height = 150, .base = own.fog.base, .shafts = 1};
         e.wind.speed = 1.5f;
-        e.exposure = 4.0f;
+        e.grading.temperature = 5200; // as a camera set for daylight sees it: the hour is blue
+        e.grading.tint = -0.4f;
+        e.exposure = 5.1f;
         break;
     case Preset::Overcast:
         placeSun(e, 35, false);

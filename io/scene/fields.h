@@ -160,6 +160,7 @@ void fields(auto& v, Of<AutoExposure> auto& a)
     v("lowest", a.lowest, Hint{.min = -20, .max = 20, .unit = "EV"});
     v("highest", a.highest, Hint{.min = -20, .max = 20, .unit = "EV"});
     v("seconds", a.seconds, Hint{.min = 0, .max = 60, .unit = "s"});
+    v("darkness", a.darkness, Hint{.min = 0, .max = 1});
 }
 
 void fields(auto& v, Of<Grading> auto& g)

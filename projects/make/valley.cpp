@@ -58,7 +58,7 @@ io::Environment morning()
     environment.dayOfYear = 264;
     environment.latitude = 49;
     environment.exposure = 3.6f;
-    environment.sun.irradiance = {1.10f, 1.0f, 0.89f}; // a little warmer than the air alone makes it
+    environment.sun.irradiance = {1.03f, 1.0f, 0.97f}; // a little warmer than the air alone makes it
     environment.clouds.coverage = 0.46f;
     environment.clouds.seed = 1; // the meadow lies in the sun
     environment.fog.density = 0.00022f;

@@ -40,7 +40,8 @@ void ExposurePass::choose(GpuFrame& gpu, const Radiance& radiance, const GBuffer
     const glsl::Metering metering{.compensation = wanted.compensation,
                                   .lowest = std::min(wanted.lowest, wanted.highest),
                                   .highest = std::max(wanted.lowest, wanted.highest),
-                                  .share = atOnce ? 1.0f : float(adapted(*seconds, wanted.seconds))};
+                                  .share = atOnce ? 1.0f : float(adapted(*seconds, wanted.seconds)),
+                                  .darkness = wanted.darkness};
     surfaces.bind(gpu);
     gpu.constants(PASS_BINDING, metering);
     if (!gpu.use(m_program, {{IMAGE_UNIT, &radiance.texture}})) return;

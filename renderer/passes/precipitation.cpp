@@ -24,20 +24,20 @@ glm::vec3 movedIn(const glm::dvec3& moved, double side)
 glsl::Precipitation precipitationOf(Falling falling, const io::Wind& wind, const glm::dvec3& eye, double time, int most)
 {
     const double rate = std::isfinite(falling.rate) ? std::max(double(falling.rate), 0.0) : 0;
-    const double direction = glm::radians(double(wind.direction)), speed = double(wind.speed) * (falling.snow ? 0.8 : 0.9);
+    const double direction = glm::radians(double(wind.direction)), speed = double(wind.speed) * (falling.snow ? 0.8 : 0.5); // near the ground wind is slower, and drops are heavy
     const double down = falling.snow ? 1.1 : 5.5 + 1.2 * std::min(std::pow(rate, 0.21), 3.0);
     const glm::dvec3 fall{std::sin(direction) * speed, -down, -std::cos(direction) * speed};
     const glm::dvec3 moved = fall * time - eye;
     glsl::Precipitation p{};
     p.fall = glm::vec3{fall};
-    p.exposure = falling.snow ? 1 / 120.0f : 1 / 28.0f; // as long as an eye sees a streak
+    p.exposure = falling.snow ? 1 / 120.0f : 1 / 60.0f; // a film's
     p.movedNear = {movedIn(moved, PRECIPITATION_NEAR), float(time - std::floor(time / kFlutterPeriod) * kFlutterPeriod)};
     p.movedWide = {movedIn(moved, PRECIPITATION_WIDE), 0};
     const double share = falling.snow ? std::sqrt(rate / 5) : std::pow(rate / 20, 0.6);
     p.drops = rate > 0 ? std::clamp(int(std::lround(share * most)), 1, most) : 0;
     p.snow = falling.snow ? 1 : 0;
     p.size = falling.snow ? 0.015f : 0.003f;
-    p.opacity = falling.snow ? 0.9f : 0.42f;
+    p.opacity = falling.snow ? 0.9f : 0.3f;
     return p;
 }
 

@@ -41,12 +41,14 @@ void addShafts(Viewpoint& viewpoint, const io::Fog& fog, const Settings& setting
     if (!settings.shafts || fog.shafts <= 0 || viewpoint.light.fogDensity <= 0 || viewpoint.towardSun.y < kSunLow) return;
     const SunOnScreen sun = sunOnScreen(viewpoint.eye, viewpoint.towardSun);
     const bool volume = settings.froxels && !viewpoint.cascades.empty();
-    if (!volume && sun.strength <= 0) return;
+    const bool clouded = viewpoint.light.cloudsOn > 0;
+    if (!volume && sun.strength <= 0 && !clouded) return;
     viewpoint.shafts = volume ? Shafts::Volume : Shafts::Screen;
     const double end = viewpoint.cascades.empty() ? 0 : viewpoint.cascades.back().end;
     viewpoint.shaftConstants = {.sun = glm::vec2{sun.place},
                                 .strength = float(fog.shafts * (volume ? 1.0 : sun.strength)),
-                                .range = float(std::clamp(end * kRange, kLeastRange, kMostRange))};
+                                .range = float(std::clamp(end * kRange, kLeastRange, kMostRange)),
+                                 .clouds = clouded ? fog.shafts : 0};
 }
 
 ShaftsPass::ShaftsPass(ShaderLibrary& shaders) : m_shaders{shaders} {}
@@ -57,7 +59,7 @@ void ShaftsPass::render(GpuFrame& gpu, Radiance& radiance, const GBuffer& surfac
     const auto scope = gpu.scope("shafts");
     gpu.constants(PICTURE_BINDING, viewpoint.shaftConstants);
     if (viewpoint.shafts == Shafts::Volume) fillVolume(gpu, viewpoint, settings);
-    else lookAtScreen(gpu, surfaces);
+    else lookAtScreen(gpu, surfaces, viewpoint.shaftConstants.clouds > 0);
     apply(gpu, radiance, surfaces, viewpoint.shafts);
 }
 
@@ -77,7 +79,7 @@ void ShaftsPass::fillVolume(GpuFrame& gpu, const Viewpoint& viewpoint, const Set
     m_volume.bind(SHAFTS_UNIT);
 }
 
-void ShaftsPass::lookAtScreen(GpuFrame& gpu, const GBuffer& surfaces)
+void ShaftsPass::lookAtScreen(GpuFrame& gpu, const GBuffer& surfaces, bool clouded)
 {
     const glm::ivec2 size = (surfaces.depth.size() + SHAFTS_PIXELS - 1) / SHAFTS_PIXELS;
     if (m_small.size() != size) {
@@ -85,7 +87,7 @@ void ShaftsPass::lookAtScreen(GpuFrame& gpu, const GBuffer& surfaces)
         m_smallTarget = gl::Framebuffer{{.label = "shafts", .colours = {&m_small}}};
     }
     m_smallTarget.bind();
-    gpu.fullScreen(m_shaders.fullScreen("shafts_screen"), {}, {{GBUFFER_DEPTH_UNIT, &surfaces.depth}});
+    gpu.fullScreen(m_shaders.fullScreen("shafts_screen", clouded ? std::vector<std::string>{"CLOUD_SHADOWS"} : std::vector<std::string>{}), {}, {{GBUFFER_DEPTH_UNIT, &surfaces.depth}});
     gpu.bind({{SHAFTS_UNIT, &m_small}});
 }
 

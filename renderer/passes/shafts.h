@@ -17,7 +17,7 @@ public:
 
 private:
     void fillVolume(GpuFrame& gpu, const Viewpoint& viewpoint, const Settings& settings);
-    void lookAtScreen(GpuFrame& gpu, const GBuffer& surfaces);
+    void lookAtScreen(GpuFrame& gpu, const GBuffer& surfaces, bool clouded);
     void apply(GpuFrame& gpu, Radiance& radiance, const GBuffer& surfaces, Shafts kind);
 
     ShaderLibrary& m_shaders;

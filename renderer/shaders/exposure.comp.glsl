@@ -14,6 +14,7 @@ const float kBin = (EXPOSURE_BRIGHTEST - EXPOSURE_DARKEST) / float(EXPOSURE_BINS
 const float kParts = 1024.0;      // of a bin, in which places within it are added
 const float kDarkShare = 0.20;    // of all places, that do not count
 const float kBrightShare = 0.05;
+const float kDay = -6.5;          // EV, of land by day; the key falls below it, after Krawczyk et al., "Perceptual Effects in Real-Time Tone Mapping" (2005)
 
 shared uint counts[EXPOSURE_BINS];
 shared uint sums[EXPOSURE_BINS];
@@ -60,7 +61,10 @@ void main()
     for (int i = 0; i < EXPOSURE_BINS; ++i)
         total += float(counts[i]);
     float target = chosen.ev;
-    if (total > 0.0) target = log2(MIDDLE_GREY) - meanBrightness(total) + metering.compensation;
+    if (total > 0.0) {
+        float mean = meanBrightness(total);
+        target = log2(MIDDLE_GREY) - mean + metering.compensation - metering.darkness * max(kDay - mean, 0.0);
+    }
     target = clamp(target, metering.lowest, metering.highest);
     chosen.target = target;
     chosen.before = chosen.exposure;

@@ -45,7 +45,7 @@ void main()
     float ahead = pow(clamp(-dot(toEye, light.towardSun), 0.0, 1.0), 8.0);
     vec3 lit = snow ? 0.85 * (0.75 * sky + 0.12 * light.sunIrradiance) : sky * 1.1 + light.sunIrradiance * (0.03 + 0.6 * ahead);
     float thin = size / drawn;
-    float ends = smoothstep(snow ? 0.15 : 0.5, snow ? 0.6 : 2.2, away) * (1.0 - smoothstep(0.38 * side, 0.5 * side, away));
+    float ends = smoothstep(snow ? 0.15 : 1.5, snow ? 0.6 : 5.0, away) * (1.0 - smoothstep(0.38 * side, 0.5 * side, away));
     light_ = vec4(lit, falling.opacity * ends * (snow ? max(thin * thin, 0.15) : thin));
     shape = snow ? vec2(particleRandom(seed, 7u) * 6.2831853, particleRandom(seed, 8u)) : vec2(0.0, -1.0);
     fog = vec4(0.0, 0.0, 0.0, 1.0);

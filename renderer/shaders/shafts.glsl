@@ -30,9 +30,21 @@ layout(binding = SHAFTS_UNIT) uniform sampler2D shaftPicture; // as shafts_scree
 
 vec3 missingInFog(vec2 uv, vec3 relative)
 {
-    vec4 around = textureLod(shaftPicture, uv, 0.0);
-    // A small picture blurs over edges: what is near has no more fog before it than that.
-    float most = 1.0 - fogTransmittance(relative);
-    return around.rgb * min(most / max(around.a, 1e-6), 1.0);
+    // The small picture's pixels that lie as far away as this one: else what is missing behind a ridge shows around it.
+    float own = clamp(dot(relative, view.forward), view.near, 6e4);
+    ivec2 last = textureSize(shaftPicture, 0) - 1;
+    vec2 at = uv * vec2(last + 1) - 0.5, part = fract(at);
+    vec3 sum = vec3(0.0);
+    float weights = 0.0, depth = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 corner = ivec2(i & 1, i >> 1);
+        vec4 tap = texelFetch(shaftPicture, clamp(ivec2(floor(at)) + corner, ivec2(0), last), 0);
+        vec2 near = mix(1.0 - part, part, vec2(corner));
+        float weight = (near.x * near.y + 0.01) / (0.02 + abs(log2(tap.a / own)));
+        sum += tap.rgb * weight;
+        depth += tap.a * weight;
+        weights += weight;
+    }
+    return sum / weights * min(own * weights / depth, 1.0); // what is near has no more fog before it than that
 }
 #endif

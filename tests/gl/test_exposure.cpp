@@ -11,7 +11,7 @@
 namespace {
 
 constexpr glm::ivec2 kSize{320, 180};
-const io::AutoExposure kWide{.on = true, .lowest = -20, .highest = 20, .seconds = 1};
+const io::AutoExposure kWide{.on = true, .lowest = -20, .highest = 20, .seconds = 1, .darkness = 0};
 
 class Exposure : public testing::Test {
 protected:
@@ -34,6 +34,18 @@ TEST_F(Exposure, EvenLightBecomesMiddleGrey)
         const double got = ev([&](int, int) { return glm::vec3{light}; });
         EXPECT_NEAR(light * std::exp2(got), 0.18, 0.18 * 0.02) << light;
     }
+}
+
+TEST_F(Exposure, DarknessStaysDarkAsFarAsAskedFor)
+{
+    const auto light = [](float l) { return [l](int, int) { return glm::vec3{l}; }; };
+    io::AutoExposure kept = kWide;
+    kept.darkness = 0.5f;
+    const auto shown = [&](float l) { return std::log2(l) + ev(light(l), kept) - std::log2(0.18); };
+    for (const float day : {0.02f, 0.18f, 5.0f})
+        EXPECT_NEAR(shown(day), 0, 0.03) << day;
+    EXPECT_NEAR(shown(std::exp2(-8.5f)), -1, 0.03);
+    EXPECT_NEAR(shown(std::exp2(-12.5f)), -3, 0.03);
 }
 
 TEST_F(Exposure, AFewBrightPixelsDoNotDecide)

@@ -14,8 +14,10 @@ SHARED_BEGIN
 struct Metering {
     float compensation; float lowest; // EV
     float highest;      float share;  // EV; share of the way to go in this frame, 1: all of it
+    float darkness;     float unused0; // share that stays of what the picture is darker than by day
+    float unused1;      float unused2;
 };
-SHARED_STRUCT_END(Metering, 16)
+SHARED_STRUCT_END(Metering, 32)
 
 struct ChosenExposure {
     float exposure; float before; // factors, 2^EV: of this frame, and of the one before it

@@ -12,8 +12,10 @@ SHARED_BEGIN
 
 struct Shafts {
     vec2 sun;       float strength; float range; // where it stands in the picture, 0..1 within it; share that is taken; m, of froxels
+    float clouds;   float unused0;               // share that is taken by those, on the screen's form
+    float unused1;  float unused2;
 };
-SHARED_STRUCT_END(Shafts, 16)
+SHARED_STRUCT_END(Shafts, 32)
 
 SHARED_END
 #endif
