@@ -158,7 +158,8 @@ Environment withPreset(const Environment& own, Preset preset)
         e.clouds.coverage = 0.2f;
         e.fog = {.density = 0.0002f, .height = 90, .base = own.fog.base, .shafts = 1};
         e.wind.speed = 1;
-        e.exposure = 4.4f;
+        e.grading.saturation = 0.75f; // by moonlight eyes see little colour
+        e.exposure = 3.6f;
         break;
     }
     return e;

@@ -35,7 +35,7 @@ void weatherSurface(inout vec3 baseColour, inout float roughness, inout float me
     float wet = clamp(clouds.wet * 1.4 - patches * 0.4, 0.0, 1.0) * up;
     float porous = clamp((roughness - 0.4) / 0.4, 0.0, 1.0) * (1.0 - metallic);
     baseColour *= mix(1.0, 0.6, wet * porous);
-    float film = mix(0.2, 0.7, porous); // what soaks it up keeps little of it on top
+    float film = mix(0.2, 0.65, porous); // what soaks it up keeps little of it on top
     roughness = mix(roughness, min(roughness, mix(0.75, film, smoothstep(0.45, 0.65, patches))), wet);
 
     float snow = clamp((clouds.snow * 1.3 - patches) / 0.3, 0.0, 1.0) * up;
