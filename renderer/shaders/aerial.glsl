@@ -49,7 +49,7 @@ vec3 throughAir(vec3 lit, vec3 relative)
     vec3 through = exp(-depth);
     // Under a closed cover of clouds air is lit by them, not by sun and sky.
     vec3 clear = airLight(direction, away) * light.sunAbove + nightSky(0.0) * (vec3(1.0) - through) * 0.5;
-    return lit * through + mix(clear, overcastRadiance(0.0) * (vec3(1.0) - through), clouds.cover * clouds.on);
+    return lit * through + mix(clear, overcastRadiance(0.0) * (vec3(1.0) - through), cloudsOverhead());
 #else
     return lit;
 #endif

@@ -9,7 +9,7 @@ layout(binding = GBUFFER_DEPTH_UNIT) uniform sampler2D gbufferDepth;
 layout(location = 0) in vec2 uv;
 layout(location = 1) in vec3 ray;
 layout(location = 0) out vec4 seen;     // their light; share of what is behind that comes through
-layout(location = 1) out vec2 distances; // where they begin and their middle, m
+layout(location = 1) out vec4 distances; // where they begin, their middle, how far was looked, m
 
 const float kFarthest = 150000.0;     // m
 const float kFarthestStored = 60000.0; // m, as 16 bits hold
@@ -32,7 +32,8 @@ void main()
     vec3 direction = normalize(ray);
     LayerSeen layer = layerTowards(direction);
     seen = vec4(layer.radiance, layer.through);
-    distances = vec2(clamp(layer.metres < 0.0 ? kFarthestStored : layer.metres, 0.0, kFarthestStored));
+    float metres = layer.metres < 0.0 ? kFarthestStored : layer.metres;
+    distances = min(vec4(metres, metres, surfaceDistance(), 0.0), vec4(kFarthestStored));
 }
 #else
 const float kLongest = 30000.0; // m of cloud that a ray goes through at most
@@ -69,8 +70,9 @@ void main()
 {
     vec3 direction = normalize(ray);
     seen = vec4(0.0, 0.0, 0.0, 1.0);
-    distances = vec2(kFarthestStored);
-    vec2 part = within(direction, surfaceDistance());
+    float looked = surfaceDistance();
+    distances = min(vec4(kFarthestStored, kFarthestStored, looked, 0.0), vec4(kFarthestStored));
+    vec2 part = within(direction, looked);
     if (part.y <= part.x || (clouds.base > 0.0 && direction.y <= 0.0) || part.x > kFarthest) return;
 
     float cosine = dot(direction, light.towardSun);
@@ -108,6 +110,6 @@ void main()
     float haze = fogTransmittance(direction * middle) * (1.0 - smoothstep(0.6, 1.0, middle / kFarthest));
     haze *= clouds.base > 0.0 ? smoothstep(0.0, 0.05, direction.y) : 1.0;
     seen = vec4(throughAir(radiance, 1.0 - through, direction, middle, direction.y * middle, haze), through);
-    distances = min(vec2(part.x, middle), vec2(kFarthestStored));
+    distances.rg = min(vec2(part.x, middle), vec2(kFarthestStored));
 }
 #endif
