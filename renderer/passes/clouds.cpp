@@ -9,7 +9,7 @@
 namespace renderer {
 namespace {
 
-constexpr int kSteps = 56;      // of a ray through the volumes
+constexpr int kSteps = 88;      // of a ray through the volumes at most, most of them in clouds
 constexpr int kLeastPixels = 2; // of the picture along a side of one of the clouds'
 
 } // namespace
