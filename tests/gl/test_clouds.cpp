@@ -370,7 +370,7 @@ TEST(CloudPicture, VolumesGoOnUpToSurfacesBeforeThem)
     test::addObject(wall, id, {.position = {-20, 20, -97}, .rotation = {0, 0, 7}});
     const BeforeClouds with = beforeClouds(wall, 1, renderer::CloudKind::Volume), without = beforeClouds(open, 1, renderer::CloudKind::Volume);
     const auto atEdge = [&](int x, int y) { return y + 2 < kSize.y && with.isSky(x, y) && !with.isSky(x, y + 2); };
-    EXPECT_LT(shareApart(without.radiance, with.radiance, 0.03f, atEdge), 0.15); // of the rest the march was noisy
+    EXPECT_LT(shareApart(without.radiance, with.radiance, 0.03f, atEdge), 0.15); // the march is noisy
 }
 
 // ---- what falls from them --------------------------------------------------------------------------------------
