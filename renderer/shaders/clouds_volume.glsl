@@ -26,7 +26,7 @@ float cloudExtinction(vec3 relative, float h, float lod, bool fine)
     float top = mix(0.25, 1.0, clamp(field * 0.6, 0.0, 1.0));
     float shape = stands * smoothstep(0.0, 0.07, h) * (1.0 - smoothstep(top * 0.35, top, h));
     float carved = textureLod(cloudShape, vec3(at.xy * kCarving, at.z * (kCarving * 4.0) + clouds.phase.x * 2.0), lod + 1.6).r;
-    float ragged = kRagged * (1.0 - 0.4 * smoothstep(0.8, 1.0, clouds.cover)); // a closed cover has no holes
+    float ragged = kRagged * (1.0 - 0.65 * smoothstep(0.6, 0.9, clouds.cover)); // a closed cover has no holes
     float solid = shape * (1.0 + kFirmness + 0.25 * ragged) - 1.0 + carved;
     if (solid <= 0.0) return 0.0;
     float torn = 0.5; // in the mean
