@@ -84,9 +84,10 @@ Picture Renderer::State::render(const FrameInput& in)
     if (lit || in.show == Show::Ao) occlusion.render(gpu, surfaces, viewpoint.eye, viewpoint.occlusion, in.settings);
     Radiance& hdr = lit ? lighting.render(gpu, surfaces, viewpoint, in.settings) : lighting.unlit(surfaces);
     if (lit) sky.render(gpu, hdr, viewpoint, in.settings, clouds.areInSky());
-    if (lit) clouds.render(gpu, hdr, surfaces, in.settings);
+    if (lit && !clouds.areBelow()) clouds.render(gpu, hdr, surfaces, in.settings);
     if (lit) shafts.render(gpu, hdr, surfaces, viewpoint, in.settings);
     if (lit) water.render(gpu, hdr, surfaces, environment, viewpoint, in.settings);
+    if (lit && clouds.areBelow()) clouds.render(gpu, hdr, surfaces, in.settings);
     transparent.render(gpu, hdr, surfaces, scenery, viewpoint, drawn.objects, in.ghosts, in.settings);
     if (lit) particles.render(gpu, hdr, surfaces, scenery, environment.wind, viewpoint, in.settings);
     if (lit) precipitation.render(gpu, hdr, surfaces, environment, viewpoint, in.settings);

@@ -9,7 +9,7 @@
 namespace renderer {
 namespace {
 
-constexpr int kSteps = 56;      // of a ray through the volumes
+constexpr int kSteps = 88;      // of a ray through the volumes at most, most of them in clouds
 constexpr int kLeastPixels = 2; // of the picture along a side of one of the clouds'
 
 } // namespace
@@ -65,7 +65,7 @@ void CloudPass::resize(glm::ivec2 size)
 {
     if (m_image.size() == size) return;
     m_image = gl::Texture{{.label = "clouds", .size = size, .format = GL_RGBA16F, .target = true}};
-    m_distances = gl::Texture{{.label = "clouds' distances", .size = size, .format = GL_RG16F, .filter = GL_NEAREST, .target = true}};
+    m_distances = gl::Texture{{.label = "clouds' distances", .size = size, .format = GL_RGBA16F, .filter = GL_NEAREST, .target = true}};
     m_imageTarget = gl::Framebuffer{{.label = "clouds", .colours = {&m_image, &m_distances}}};
 }
 
@@ -81,7 +81,7 @@ void CloudPass::render(GpuFrame& gpu, Radiance& radiance, const GBuffer& surface
     m_imageTarget.bind();
     gpu.fullScreen(m_shaders.fullScreen("clouds", std::move(defines)), {}, {});
     radiance.framebuffer.bind();
-    gpu.fullScreen(m_shaders.fullScreen("clouds_over"), {.blend = gl::Blend::Over},
+    gpu.fullScreen(m_shaders.fullScreen("clouds_over", {fmt::format("SPAN {}", span)}), {.blend = gl::Blend::Over},
                    {{CLOUD_IMAGE_UNIT, &m_image}, {IMAGE_UNIT, &m_distances}});
 }
 

@@ -17,6 +17,8 @@ public:
     void update(GpuFrame& gpu, const glsl::Clouds& clouds, CloudKind kind);
     // Whether the layer is for the sky to draw: it lies behind all surfaces.
     bool areInSky() const { return m_clouds.on > 0 && m_kind == CloudKind::Layer && m_clouds.base > 0; }
+    // Whether the eye looks down on them: over water too then.
+    bool areBelow() const { return m_clouds.on > 0 && m_clouds.base <= 0; }
     // Over the finished sky and surfaces.
     void render(GpuFrame& gpu, Radiance& radiance, const GBuffer& surfaces, const Settings& settings);
 

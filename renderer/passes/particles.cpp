@@ -1,5 +1,6 @@
 #include "renderer/passes/particles.h"
 
+#include "renderer/passes/shafts.h"
 #include "renderer/pixels.h"
 #include "renderer/shaders/shared/bindings.h"
 
@@ -50,7 +51,7 @@ void ParticlePass::render(GpuFrame& gpu, Radiance& radiance, const GBuffer& surf
     if (particles.drawn.empty()) return;
     if (!m_atlas) makeAtlas(gpu);
     std::vector<std::string> defines = lightingDefines(viewpoint, settings);
-    if (viewpoint.light.fogDensity > 0) defines.emplace_back("FOG");
+    addHaze(defines, viewpoint);
     const gl::Program& program =
         m_shaders.program({.label = "particles", .stages = {"particles.vert.glsl", "particles.frag.glsl"}, .defines = std::move(defines)});
     radiance.framebuffer.bind();

@@ -1,5 +1,6 @@
 #include "renderer/passes/precipitation.h"
 
+#include "renderer/passes/shafts.h"
 #include "renderer/shaders/shared/bindings.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ void PrecipitationPass::render(GpuFrame& gpu, Radiance& radiance, const GBuffer&
     const auto scope = gpu.scope("rain and snow");
     if (!m_none.id()) m_none = gl::VertexArray{"rain and snow"};
     std::vector<std::string> defines;
-    if (viewpoint.light.fogDensity > 0) defines.emplace_back("FOG");
+    addHaze(defines, viewpoint);
     const gl::Program& program = m_shaders.program(
         {.label = "rain and snow", .stages = {"precipitation.vert.glsl", "precipitation.frag.glsl"}, .defines = std::move(defines)});
     radiance.framebuffer.bind();

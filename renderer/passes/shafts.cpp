@@ -35,6 +35,12 @@ const char* shaftsDefine(Shafts kind)
     return kind == Shafts::Volume ? "SHAFTS_VOLUME" : kind == Shafts::Screen ? "SHAFTS_SCREEN" : nullptr;
 }
 
+void addHaze(std::vector<std::string>& defines, const Viewpoint& viewpoint)
+{
+    if (viewpoint.light.fogDensity > 0) defines.emplace_back("FOG");
+    if (const char* shafts = shaftsDefine(viewpoint.shafts)) defines.emplace_back(shafts);
+}
+
 void addShafts(Viewpoint& viewpoint, const io::Fog& fog, const Settings& settings)
 {
     viewpoint.shafts = Shafts::None;

@@ -31,5 +31,6 @@ private:
 // Which form of them a view has, and the constants for it.
 void addShafts(Viewpoint& viewpoint, const io::Fog& fog, const Settings& settings);
 const char* shaftsDefine(Shafts kind); // null for none
+void addHaze(std::vector<std::string>& defines, const Viewpoint& viewpoint); // those that haze.glsl asks for, beside AERIAL
 
 } // namespace renderer

@@ -44,7 +44,7 @@ TransparentPass::TransparentPass(ShaderLibrary& shaders)
 ObjectPrograms& TransparentPass::programs(bool ghosts, const Viewpoint& viewpoint, const Settings& settings)
 {
     std::vector<std::string> defines = lightingDefines(viewpoint, settings);
-    if (const char* shafts = shaftsDefine(viewpoint.shafts)) defines.emplace_back(shafts);
+    addHaze(defines, viewpoint);
     defines.emplace_back("FORWARD");
     defines.emplace_back(ghosts ? "GHOST" : "WRITE_ID");
     for (const auto& variant : m_variants)

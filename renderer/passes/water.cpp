@@ -1,5 +1,6 @@
 #include "renderer/passes/water.h"
 
+#include "renderer/passes/shafts.h"
 #include "renderer/ripples.h"
 #include "renderer/shaders/shared/bindings.h"
 #include "renderer/water.h"
@@ -20,7 +21,7 @@ void copyOf(gl::Texture& to, const gl::Texture& from, std::string_view label)
 std::vector<std::string> definesOf(const Viewpoint& viewpoint, const Settings& settings, const glsl::Water& water)
 {
     std::vector<std::string> defines = lightingDefines(viewpoint, settings);
-    if (viewpoint.light.fogDensity > 0) defines.emplace_back("FOG");
+    addHaze(defines, viewpoint);
     if (settings.skyPixels <= 1) defines.emplace_back("MARCH"); // where the sky is made coarse, mirrors are too
     if (water.height > 0) defines.emplace_back("FROM_BELOW");
     return defines;

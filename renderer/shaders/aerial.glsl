@@ -34,23 +34,35 @@ vec3 airLight(vec3 direction, float distance_)
 }
 #endif
 
-// What is seen of `lit`, which lies at `relative` (m from the eye).
-vec3 throughAir(vec3 lit, vec3 relative)
+struct AirBefore {
+    vec3 through; // share of light that is left
+    vec3 light;   // that is added
+};
+
+// Before what lies at `relative`, m from the eye.
+AirBefore airTo(vec3 relative)
 {
+    AirBefore before = AirBefore(vec3(1.0), vec3(0.0));
 #ifdef AERIAL
     Atmosphere air = light.atmosphere;
     float metres = length(relative);
     float away = metres * (heavens.aerial * 1e-3); // km
-    if (away < kClear) return lit;
+    if (away < kClear) return before;
     float rise = max(relative.y * 1e-3, -air.eyeAltitude);
     vec3 depth = air.rayleigh * airDepthAlong(air.eyeAltitude, rise, away, air.rayleighHeight) +
                  vec3(air.mieExtinction * airDepthAlong(air.eyeAltitude, rise, away, air.mieHeight));
     vec3 direction = relative / max(metres, 1e-3);
-    vec3 through = exp(-depth);
+    before.through = exp(-depth);
     // Under a closed cover of clouds air is lit by them, not by sun and sky.
-    vec3 clear = airLight(direction, away) * light.sunAbove + nightSky(0.0) * (vec3(1.0) - through) * 0.5;
-    return lit * through + mix(clear, overcastRadiance(0.0) * (vec3(1.0) - through), clouds.cover * clouds.on);
-#else
-    return lit;
+    vec3 clear = airLight(direction, away) * light.sunAbove + nightSky(0.0) * (vec3(1.0) - before.through) * 0.5;
+    before.light = mix(clear, overcastRadiance(0.0) * (vec3(1.0) - before.through), cloudsOverhead());
 #endif
+    return before;
+}
+
+// What is seen of `lit`.
+vec3 throughAir(vec3 lit, vec3 relative)
+{
+    AirBefore air = airTo(relative);
+    return lit * air.through + air.light;
 }

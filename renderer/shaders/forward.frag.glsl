@@ -1,12 +1,10 @@
 // Objects that are blended over the picture: glass and the like, ghosts of what is being placed, thumbnails.
-#include "aerial.glsl"
-#include "fog.glsl"
+#include "haze.glsl"
 #include "lighting.glsl"
 #ifdef LAMPS
 #include "lamps.glsl"
 #endif
 #include "material.glsl"
-#include "shafts.glsl"
 #include "weather_surface.glsl"
 
 layout(location = 11) in vec3 relative;
@@ -49,12 +47,8 @@ void main()
     alpha = 0.6;
 #endif
 #ifndef STUDIO
-    lit = throughAir(lit, relative);
-    float through = fogTransmittance(relative);
-    lit = lit * through + fogColour(normalize(relative), length(relative)) * (1.0 - through);
-#if defined(SHAFTS_VOLUME) || defined(SHAFTS_SCREEN)
-    lit = max(lit - missingInFog(gl_FragCoord.xy * view.texel, relative), vec3(0.0));
-#endif
+    Haze haze = hazeBefore(relative, gl_FragCoord.xy * view.texel);
+    lit = max(lit * haze.through + haze.light, vec3(0.0));
 #endif
     radiance = vec4(min(lit, vec3(60000.0)), alpha);
 #ifdef WRITE_ID

@@ -12,7 +12,8 @@ layout(location = 3) flat in vec3 sunlight;
 layout(location = 4) flat in vec3 skylight;
 layout(location = 5) flat in vec3 tint;
 layout(location = 6) flat in vec3 towardSun;
-layout(location = 7) flat in vec4 fog;
+layout(location = 7) flat in vec3 hazeThrough;
+layout(location = 8) flat in vec3 hazeLight;
 layout(location = 0) out vec4 radiance;
 
 const float kFlame = 0.45; // radiance of the hottest, where the sun's irradiance is 1
@@ -52,5 +53,5 @@ void main()
         vec3 albedo = kind == PARTICLE_SMOKE ? kSmokeAlbedo : kDustAlbedo;
         added = albedo * tint * (sunlight * (0.35 + 0.9 * facing) + skylight) * covered;
     }
-    radiance = vec4(min(added * fog.a + fog.rgb * covered, vec3(60000.0)), 1.0 - covered);
+    radiance = vec4(min(added * hazeThrough + hazeLight * covered, vec3(60000.0)), 1.0 - covered);
 }

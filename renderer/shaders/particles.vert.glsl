@@ -1,5 +1,5 @@
 // One quad for each particle, turned to the eye; its light is found here, once for all of it.
-#include "fog.glsl"
+#include "haze.glsl"
 #include "lighting.glsl"
 #include "shared/particles.h"
 
@@ -15,7 +15,8 @@ layout(location = 3) flat out vec3 sunlight;       // what a white particle woul
 layout(location = 4) flat out vec3 skylight;       // and of the sky
 layout(location = 5) flat out vec3 tint;
 layout(location = 6) flat out vec3 towardSun;      // along the quad's axes
-layout(location = 7) flat out vec4 fog;            // what it adds, and what is left
+layout(location = 7) flat out vec3 hazeThrough;    // share of its light that is left
+layout(location = 8) flat out vec3 hazeLight;      // what stands before it adds
 
 const float kPi = 3.14159265;
 
@@ -72,9 +73,8 @@ void main()
     skylight = 0.5 * (skyIrradiance(vec3(0.0, 1.0, 0.0)) + skyIrradiance(toEye)) * light.ambient;
     towardSun = vec3(dot(light.towardSun, across) * mirror, dot(light.towardSun, along), dot(light.towardSun, toEye));
     tint = s.colour;
-    fog = vec4(0.0, 0.0, 0.0, 1.0);
-#ifdef FOG
-    float clear = fogTransmittance(centre);
-    fog = vec4(fogColour(-toEye, away) * (1.0 - clear), clear);
-#endif
+    vec4 clip = view.clipFromRelative * vec4(centre, 1.0);
+    Haze haze = hazeBefore(centre, clip.xy / max(clip.w, view.near) * 0.5 + 0.5);
+    hazeThrough = haze.through;
+    hazeLight = max(haze.light, vec3(0.0));
 }

@@ -1,5 +1,5 @@
 // A streak for each drop, along the way that it falls in the time that an eye takes; a small quad for each flake.
-#include "fog.glsl"
+#include "haze.glsl"
 #include "shared/particles.h"
 #include "shared/precipitation.h"
 #include "view.glsl"
@@ -8,7 +8,7 @@ layout(std140, binding = PARTICLES_BINDING) uniform PrecipitationBlock { Precipi
 
 layout(location = 0) out vec2 corner;       // -1..1
 layout(location = 1) flat out vec4 light_;  // radiance, opacity
-layout(location = 2) flat out vec4 fog;     // what it adds, and what is left
+layout(location = 2) flat out vec4 fog;     // what it adds, and what is left; so near there is no air to speak of
 layout(location = 3) flat out vec2 shape;   // of a flake: how it is turned, and how ragged it is
 
 void main()
@@ -48,9 +48,7 @@ void main()
     float ends = smoothstep(snow ? 0.15 : 1.5, snow ? 0.6 : 5.0, away) * (1.0 - smoothstep(0.38 * side, 0.5 * side, away));
     light_ = vec4(lit, falling.opacity * ends * (snow ? max(thin * thin, 0.15) : thin));
     shape = snow ? vec2(particleRandom(seed, 7u) * 6.2831853, particleRandom(seed, 8u)) : vec2(0.0, -1.0);
-    fog = vec4(0.0, 0.0, 0.0, 1.0);
-#ifdef FOG
-    float clear = fogTransmittance(at);
-    fog = vec4(fogColour(-toEye, away) * (1.0 - clear), clear);
-#endif
+    vec4 clip = view.clipFromRelative * vec4(at, 1.0);
+    Haze haze = hazeBefore(at, clip.xy / max(clip.w, view.near) * 0.5 + 0.5);
+    fog = vec4(max(haze.light, vec3(0.0)), haze.through.g);
 }

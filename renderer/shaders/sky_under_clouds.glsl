@@ -9,14 +9,20 @@ vec3 overcastRadiance(float up)
     return skyLight.overcast.rgb * light.sunAbove * gradation + light.skyFloor;
 }
 
+// Share of the sky over the eye that clouds take: what lies under them, an eye above them does not see.
+float cloudsOverhead()
+{
+    return clouds.cover * clouds.on * smoothstep(0.0, 500.0, clouds.base);
+}
+
 // Towards the horizon and below it one looks along air that clouds shade; higher up, through the gaps between them.
 vec3 skyBehindClouds(vec3 clear, float up)
 {
     float shaded = 1.0 - smoothstep(0.0, 0.06, up);
-    return mix(clear, overcastRadiance(0.0), shaded * clouds.cover * clouds.on * smoothstep(0.0, 500.0, clouds.base));
+    return mix(clear, overcastRadiance(0.0), shaded * cloudsOverhead());
 }
 
 vec3 skyUnderClouds(vec3 clear, float up)
 {
-    return mix(clear, overcastRadiance(up), clouds.cover * clouds.on);
+    return mix(clear, overcastRadiance(up), cloudsOverhead());
 }

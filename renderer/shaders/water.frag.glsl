@@ -1,7 +1,6 @@
 // Water from above, or from below (FROM_BELOW): what lies in it through its depth, the sky and the shore mirrored in it, the sun's glitter
 // on slopes too small to be seen (Bruneton, Neyret and Holzschuch, "Real-time Realistic Ocean Lighting", 2010), foam.
-#include "aerial.glsl"
-#include "fog.glsl"
+#include "haze.glsl"
 #include "lighting.glsl"
 #include "water.glsl"
 #include "water_mirror.glsl"
@@ -151,20 +150,22 @@ void main()
     float through = exp(-water.extinction * below / slant);
     // Light that a crest lets through, towards the sun.
     float crest = clamp(s.crowding, 0.0, 1.0) * pow(clamp(-dot(toEye, light.towardSun), 0.0, 1.0), 3.0) * sun;
-    vec3 inside = mix(deep + water.colour * light.sunIrradiance * (0.6 * crest), ground, through);
+    vec3 within = deep + water.colour * light.sunIrradiance * (0.6 * crest);
 
     float f = fresnelOfWater(cosine, s.lost);
-    vec3 mirrored = reflect(-toEye, normal);
-    mirrored.y = sqrt(mirrored.y * mirrored.y + 1.5 * s.lost); // of facets that look up more than their mean
-    lit = mix(inside, mirroredRadiance(relative, normalize(mirrored), s.lost), f) + glitter(normal, toEye, s.lost) * sun;
-
+    vec3 upward = reflect(-toEye, normal);
+    upward.y = sqrt(upward.y * upward.y + 1.5 * s.lost); // of facets that look up more than their mean
+    Mirrored mirrored = mirroredFrom(relative, normalize(upward));
     float foam = foamAt(straight, s.crowding, pattern);
+
+    // What the picture shows, of the ground and the shore, has its haze already: only the rest gets what stands before the water.
+    float clear = 1.0 - foam;
+    vec2 shown = vec2((1.0 - f) * through, f * mirrored.surface.a) * clear;
+    lit = within * ((1.0 - f) * (1.0 - through)) + mirrored.sky * (f * (1.0 - mirrored.surface.a)) + glitter(normal, toEye, s.lost) * sun;
     lit = mix(lit, around * kFoamAlbedo, foam);
-    lit = throughAir(lit, relative);
-#ifdef FOG
-    float clear = fogTransmittance(relative);
-    lit = lit * clear + fogColour(normalize(relative), away) * (1.0 - clear);
-#endif
+    Haze haze = hazeBefore(relative, uv);
+    lit = lit * haze.through + haze.light * (1.0 - shown.x - shown.y) + ground * shown.x + mirrored.surface.rgb * shown.y;
+    lit = max(lit, vec3(0.0));
     lit = mix(texelFetch(behind, ivec2(gl_FragCoord.xy), 0).rgb, lit, smoothstep(0.0, kShoreEdge, straight));
 #endif
     radiance = vec4(min(lit, vec3(60000.0)), 1.0);

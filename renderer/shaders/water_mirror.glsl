@@ -28,17 +28,26 @@ vec3 pictureAt(vec2 uv, vec3 sky)
     return min(textureLod(behind, uv, 0.0).rgb, sky * 3.0 + light.sunIrradiance * 0.35);
 }
 
-// The picture at infinity, its opacity in alpha: only what is farther away than the water itself.
-vec4 farAway(vec3 from, vec3 direction, vec3 sky)
+// What is a surface of the picture has the haze before it already; the sky has not what stands between the water and the eye.
+struct Mirrored {
+    vec3 sky;
+    vec4 surface; // its light, and the share of it before the sky
+};
+
+// The picture at infinity: only what is farther away than the water itself.
+Mirrored farAway(vec3 from, vec3 direction, vec3 sky)
 {
+    Mirrored mirrored = Mirrored(sky, vec4(0.0));
     vec4 clip = view.clipFromRelative * vec4(direction, 0.0);
-    if (clip.w <= 0.0) return vec4(0.0);
+    if (clip.w <= 0.0) return mirrored;
     vec2 uv = onScreen(clip);
     float visible = inPicture(uv);
-    if (visible <= 0.0) return vec4(0.0);
-    float away = view.near / max(textureLod(behindDepth, uv, 0.0).r, 1e-9);
-    float here = dot(from, view.forward);
-    return vec4(pictureAt(uv, sky), visible * smoothstep(1.05, 1.3, away / here));
+    if (visible <= 0.0) return mirrored;
+    float depth = textureLod(behindDepth, uv, 0.0).r;
+    vec3 picture = pictureAt(uv, sky);
+    if (depth <= 0.0) mirrored.sky = mix(sky, picture, visible);
+    else mirrored.surface = vec4(picture, visible * smoothstep(1.05, 1.3, view.near / depth / dot(from, view.forward)));
+    return mirrored;
 }
 
 #ifdef MARCH
@@ -72,13 +81,15 @@ vec4 marched(vec3 from, vec3 direction, vec3 sky)
 }
 #endif
 
-vec3 mirroredRadiance(vec3 from, vec3 direction, float lost)
+Mirrored mirroredFrom(vec3 from, vec3 direction)
 {
     vec3 sky = skyUnderClouds(skyRadiance(direction), direction.y);
-    vec4 picture = farAway(from, direction, sky);
+    Mirrored mirrored = farAway(from, direction, sky);
 #ifdef MARCH
     vec4 hit = marched(from, direction, sky);
-    picture = mix(picture, vec4(hit.rgb, 1.0), hit.a);
+    mirrored.surface.rgb = mix(mirrored.surface.rgb * mirrored.surface.a, hit.rgb, hit.a);
+    mirrored.surface.a = mix(mirrored.surface.a, 1.0, hit.a);
+    mirrored.surface.rgb /= max(mirrored.surface.a, 1e-6);
 #endif
-    return mix(sky, picture.rgb, picture.a);
+    return mirrored;
 }

@@ -154,6 +154,35 @@ TEST_F(Shafts, SlicesDoNotShow)
     }
 }
 
+// Fog over water is as dark as fog over ground.
+TEST_F(Shafts, AreThereBeforeWaterToo)
+{
+    const auto missingOver = [&](bool water) {
+        test::TestWorld world;
+        const io::TemplateId roof = test::addTemplate(world, "roof", test::box({1600, 1, 1600}, {0.5f, 0.5f, 0.5f, 1}));
+        test::addObject(world, roof, {.position = {0, 90, 0}});
+        const io::TemplateId ground = test::addTemplate(world, "ground", test::box({1600, 1, 1600}, {0.05f, 0.05f, 0.05f, 1}));
+        test::addObject(world, ground, {.position = {0, water ? -31.0 : -1.0, 0}});
+        io::Environment environment = test::plainEnvironment(0, elevation);
+        environment.fog = {.density = 0.01f, .height = 20000};
+        environment.shadows.distance = 300;
+        environment.sky.aerial = 0;
+        environment.water = {.on = water, .clarity = 0.5f, .waves = 0};
+        world.scene.exchange(environment);
+        test::load(world);
+        renderer::FrameInput in = test::frame(kSize, {.eye = {0, 60, 0}, .pitch = -90, .fov = 24});
+        in.settings.froxels = true;
+        test::shared().render(in);
+        const glm::dvec3 with = meanAround(test::shared().readRadiance(), kSize / 2, 3);
+        in.settings.shafts = false;
+        test::shared().render(in);
+        return (meanAround(test::shared().readRadiance(), kSize / 2, 3) - with).y;
+    };
+    const double ground = missingOver(false);
+    EXPECT_GT(ground, 0);
+    EXPECT_NEAR(missingOver(true) / ground, 1, 0.05);
+}
+
 // On machines without froxels: from what the picture shows, while the sun is in it.
 TEST(ScreenShafts, FogIsDarkerBehindAPoleAndOnlyThere)
 {

@@ -277,37 +277,100 @@ TEST(CloudPicture, IsWholeFromEverywhere)
     EXPECT_EQ(test::shared().glErrors(), 0u);
 }
 
-// A mountain before a cloud is not touched by it, whatever the resolution that clouds are made at.
-TEST(CloudPicture, NearSurfacesStandBeforeVolumes)
+// Share of pixels, of those that `counts` lets through, in which two pictures differ by more than `most` of the first one's light.
+template <class Counts> double shareApart(const io::Image& a, const io::Image& b, float most, Counts&& counts)
 {
-    test::TestWorld world = test::makeWorld({.heightMap = {257, 257}, .trees = 0, .boxes = 30});
+    int apart = 0, counted = 0;
+    for (int y = 0; y < kSize.y; ++y)
+        for (int x = 0; x < kSize.x; ++x) {
+            if (!counts(x, y)) continue;
+            const glm::vec3 here = a.row<glm::vec3>(y)[x], there = b.row<glm::vec3>(y)[x];
+            apart += glm::length(here - there) > most * glm::length(here);
+            ++counted;
+        }
+    EXPECT_GT(counted, 50);
+    return double(apart) / counted;
+}
+
+// But for where it is thin.
+TEST(CloudPicture, ACoverHidesWaterFromAnEyeAbove)
+{
+    const io::Camera above{.eye = {0, 6000, 0}, .yaw = 20, .pitch = -35};
+    for (const renderer::CloudKind kind : {renderer::CloudKind::Layer, renderer::CloudKind::Volume}) {
+        io::Environment environment = test::plainEnvironment(200, 50);
+        environment.clouds.coverage = 1;
+        environment.clouds.density = 0.08f;
+        const io::Image dry = radianceOf(environment, above, kind);
+        environment.water.on = true;
+        environment.water.level = 100;
+        EXPECT_LT(shareApart(dry, radianceOf(environment, above, kind), 0.03f, [](int, int) { return true; }), 0.01) << int(kind);
+    }
+}
+
+// Air, fog and sky over a closed cover are those of a clear day: down to where the clouds end, two degrees below the level.
+TEST(CloudPicture, AboveACoverTheAirIsClear)
+{
+    test::TestWorld world;
+    const io::TemplateId peak = test::addTemplate(world, "peak", test::box({8000, 9000, 100}, {0.001f, 0.001f, 0.001f, 1}));
+    test::addObject(world, peak, {.position = {-9000, 0, -40000}});
+    const auto seen = [&](float coverage) {
+        io::Environment environment = test::plainEnvironment(200, 50);
+        environment.clouds.coverage = coverage;
+        environment.fog = {.density = 0.00005f, .height = 3000};
+        world.scene.exchange(environment);
+        test::load(world);
+        test::shared().render(test::frame(kSize, {.eye = {0, 6000, 0}, .pitch = 0, .fov = 20}));
+        return test::shared().readRadiance();
+    };
+    EXPECT_EQ(shareApart(seen(0), seen(1), 0.05f, [](int, int y) { return y < kSize.y / 2 + 6; }), 0);
+}
+
+struct BeforeClouds {
+    io::Image radiance, depth;
+    bool isSky(int x, int y) const { return depth.row<glm::u8vec4>(y)[x].x == depth.row<glm::u8vec4>(0)[5].x; } // as the corner above
+};
+
+BeforeClouds beforeClouds(test::TestWorld& world, float coverage, renderer::CloudKind kind)
+{
     io::Environment environment = test::plainEnvironment(90, 40);
-    environment.clouds.coverage = 0.7f;
+    environment.clouds.coverage = coverage;
     environment.clouds.shadow = 0;
     world.scene.exchange(environment);
     test::load(world);
     renderer::FrameInput in = test::frame(kSize, {.eye = {0, 30, 0}, .yaw = 20, .pitch = 6, .fov = 60});
-    const auto seen = [&](renderer::CloudKind kind) {
-        in.settings.cloudKind = kind;
-        test::shared().render(in);
-        return test::shared().readRadiance();
-    };
+    in.settings.cloudKind = kind;
     in.ids = true;
-    const io::Image layer = seen(renderer::CloudKind::Layer), volume = seen(renderer::CloudKind::Volume);
+    test::shared().render(in);
+    BeforeClouds before{.radiance = test::shared().readRadiance(), .depth = {}};
     in.show = renderer::Show::Depth;
     test::shared().render(in);
-    const io::Image depth = test::shared().readPicture();
-    int same = 0, other = 0, sky = 0;
-    for (int i = 0; i < kSize.x * kSize.y; ++i) {
-        const bool isSky = depth.row<glm::u8vec4>(0)[i].x == depth.row<glm::u8vec4>(0)[5].x; // the corner above
-        const glm::vec3 a = layer.row<glm::vec3>(0)[i], b = volume.row<glm::vec3>(0)[i];
-        if (isSky) ++sky;
-        else if (glm::length(a - b) <= 0.004f * glm::length(a)) ++same;
-        else ++other;
-    }
-    EXPECT_GT(sky, 500);
-    EXPECT_GT(same, 500);
-    EXPECT_EQ(other, 0);
+    before.depth = test::shared().readPicture();
+    return before;
+}
+
+// A mountain before a cloud is not touched by it, whatever the resolution that clouds are made at.
+TEST(CloudPicture, NearSurfacesStandBeforeVolumes)
+{
+    test::TestWorld world = test::makeWorld({.heightMap = {257, 257}, .trees = 0, .boxes = 30});
+    const BeforeClouds layer = beforeClouds(world, 0.7f, renderer::CloudKind::Layer), volume = beforeClouds(world, 0.7f, renderer::CloudKind::Volume);
+    int surfaces = 0;
+    EXPECT_EQ(shareApart(layer.radiance, volume.radiance, 0.004f, [&](int x, int y) {
+        surfaces += !layer.isSky(x, y);
+        return !layer.isSky(x, y);
+    }), 0);
+    EXPECT_GT(surfaces, 500);
+    EXPECT_LT(surfaces, kSize.x * kSize.y - 500);
+}
+
+// Nor does it draw a line into the clouds along its edge.
+TEST(CloudPicture, VolumesGoOnUpToSurfacesBeforeThem)
+{
+    test::TestWorld open, wall;
+    const io::TemplateId id = test::addTemplate(wall, "wall", test::box({101, 37, 1}, {0.5f, 0.5f, 0.5f, 1}));
+    test::addObject(wall, id, {.position = {-20, 20, -97}, .rotation = {0, 0, 7}});
+    const BeforeClouds with = beforeClouds(wall, 1, renderer::CloudKind::Volume), without = beforeClouds(open, 1, renderer::CloudKind::Volume);
+    const auto atEdge = [&](int x, int y) { return y + 2 < kSize.y && with.isSky(x, y) && !with.isSky(x, y + 2); };
+    EXPECT_LT(shareApart(without.radiance, with.radiance, 0.03f, atEdge), 0.15); // the march is noisy
 }
 
 // ---- what falls from them --------------------------------------------------------------------------------------

@@ -273,6 +273,71 @@ TEST(Particles, SmokeIsDarkerInShadowThanInTheSun)
     EXPECT_LT(added(), 0.8 * sunny);
 }
 
+// Mean light that particles add to a picture.
+double addedLight(test::TestWorld& world, renderer::FrameInput in)
+{
+    double sum = 0;
+    test::load(world);
+    for (const bool on : {true, false}) {
+        in.settings.particles = on;
+        test::shared().render(in);
+        const io::Image image = test::shared().readRadiance();
+        for (int i = 0; i < kSize.x * kSize.y; ++i)
+            sum += (on ? 1 : -1) * double(image.row<glm::vec3>(0)[i].y) / (kSize.x * kSize.y);
+    }
+    return sum;
+}
+
+// Smoke far away in air is the colour of the air, as the wall behind it.
+TEST(Particles, SmokeStandsInTheAir)
+{
+    test::TestWorld world;
+    const io::TemplateId wall = test::addTemplate(world, "wall", test::box({400, 400, 1}, {0.02f, 0.02f, 0.02f, 1}));
+    test::addObject(world, wall, {.position = {0, -200, -130}});
+    io::ParticleSource what = smoke();
+    what.size = 20;
+    test::addObject(world, addSource(world, "smoke", what), {.position = {0, 0, -100}});
+    renderer::FrameInput in = test::frame(kSize, {.eye = {0, 0, 0}, .fov = 40});
+    in.time = 5;
+    const auto added = [&](float aerial) {
+        io::Environment environment = test::plainEnvironment(180, 45);
+        environment.sky.aerial = aerial;
+        world.scene.exchange(environment);
+        return addedLight(world, in);
+    };
+    const double near = added(0);
+    EXPECT_GT(near, 0.001);
+    EXPECT_LT(std::abs(added(1200)), 0.1 * near); // 120 km
+}
+
+// Where a roof darkens the fog, it darkens the fog before smoke and rain too: they add as much as before lit fog.
+TEST(Particles, FogInShadowIsDarkBeforeThemToo)
+{
+    for (const bool rain : {false, true}) {
+        test::TestWorld world;
+        const io::TemplateId box = test::addTemplate(world, "box", test::box({1600, 1, 1600}, {0.02f, 0.02f, 0.02f, 1}));
+        test::addObject(world, box, {.position = {0, 90, 0}});
+        test::addObject(world, box, {.position = {0, -40, 0}});
+        io::ParticleSource what = smoke();
+        what.size = 20;
+        if (!rain) test::addObject(world, addSource(world, "smoke", what), {.position = {0, -10, -100}});
+        io::Environment environment = test::plainEnvironment(0, 89);
+        environment.fog = {.density = rain ? 0.3f : 0.03f, .height = 20000};
+        environment.shadows.distance = 300;
+        environment.weather.rain = rain ? 20 : 0;
+        environment.sky.aerial = 0;
+        world.scene.exchange(environment);
+        renderer::FrameInput in = test::frame(kSize, {.eye = {0, 0, 0}, .pitch = -10, .fov = 40});
+        in.time = 5;
+        in.settings.froxels = true;
+        const double dark = addedLight(world, in);
+        in.settings.shafts = false;
+        const double lit = addedLight(world, in);
+        EXPECT_LT(dark - lit, 1e-4) << rain;
+    }
+    EXPECT_TRUE(test::shared().shaderFaults().empty());
+}
+
 TEST(Rain, AddsStreaksByItsRateAndNoneAtNone)
 {
     test::TestWorld world = groundWorld();

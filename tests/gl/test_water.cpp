@@ -150,6 +150,61 @@ TEST(Water, LightOfTheGroundFadesWithDepth)
     }
 }
 
+// Radiance at the middle of the picture of a white thing less that of a black one: what comes through of its own light.
+template <class World> double ownLight(World&& worldInColour, const renderer::FrameInput& in)
+{
+    const auto seen = [&](float colour) {
+        test::TestWorld world = worldInColour(colour);
+        return mean(radianceOf(world, in).row<glm::vec3>(kSize.y / 2)[kSize.x / 2]);
+    };
+    return seen(0.8f) - seen(0);
+}
+
+// The haze before water counts once, for the ground in it as for the water itself.
+TEST(Water, GroundInItIsSeenThroughFogOnce)
+{
+    const auto ground = [](bool water, float density) {
+        return ownLight(
+            [&](float colour) {
+                io::Environment environment = waterEnvironment(0);
+                environment.water.on = water;
+                environment.water.clarity = 100;
+                environment.fog = {.density = density, .height = 20000};
+                test::TestWorld world = worldOf([](double, double) { return floorAt(1); }, environment);
+                io::Terrain terrain = world.scene.terrain();
+                terrain.layers[0].colour = glm::vec3{colour};
+                world.scene.exchange(std::move(terrain));
+                return world;
+            },
+            test::frame(kSize, fromAbove(100)));
+    };
+    for (const float density : {0.0f, 0.004f, 0.012f})
+        EXPECT_NEAR(ground(true, density) / ground(false, density), 0.98 * std::exp(-0.01), 0.02) << density;
+}
+
+TEST(Water, WhatItMirrorsIsSeenThroughFogOnce)
+{
+    for (const int skyPixels : {1, 4}) {
+        renderer::FrameInput in = test::frame(kSize, {.eye = {0, 2, 0}, .pitch = -5, .fov = 40});
+        in.settings.skyPixels = skyPixels;
+        const auto wall = [&](float density) {
+            return ownLight(
+                [&](float colour) {
+                    io::Environment environment = waterEnvironment(0);
+                    environment.sun.azimuth = 180;
+                    environment.fog = {.density = density, .height = 20000};
+                    environment.sky.aerial = 0;
+                    test::TestWorld world = worldOf([](double, double) { return -50.0; }, environment);
+                    const io::TemplateId id = test::addTemplate(world, "wall", test::box({400, 400, 1}, {colour, colour, colour, 1}));
+                    test::addObject(world, id, {.position = {0, -200, -120}});
+                    return world;
+                },
+                in);
+        };
+        EXPECT_NEAR(wall(0.01f) / wall(0), std::exp(-0.01 * 120), 0.03) << skyPixels;
+    }
+}
+
 TEST(Water, MovesWithTimeAndIsTheSameAtTheSame)
 {
     test::TestWorld world = worldOf(bowl, waterEnvironment(0, 0.4f));
