@@ -387,7 +387,7 @@ TEST(Sky, NightIsDarkButNotBlackAndNeverNan)
     for (const float elevation : {-90.0f, -30.0f, -6.0f, -0.3f, 0.0f, 0.3f, 90.0f}) {
         world.scene.exchange(test::plainEnvironment(77, elevation));
         test::load(world);
-        test::shared().render(test::frame({96, 54}, {.eye = {0, 120, 0}, .pitch = -10}));
+        test::shared().render(test::frame({96, 54}, {.eye = {0, 120, 0}, .pitch = -60}));
         const io::Image image = test::shared().readRadiance();
         double sum = 0;
         for (int i = 0; i < 96 * 54; ++i) {
