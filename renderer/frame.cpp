@@ -56,7 +56,7 @@ Picture Renderer::State::render(const FrameInput& in)
     shaders.reloadIfDue();
     GpuFrame gpu{stream, timers, stats, empty};
     const io::Environment& environment = in.environment ? *in.environment : scenery.environment;
-    scenery.groundShadow.update(scenery.terrain.heights(), bodiesOf(environment).towardLight());
+    scenery.groundShadow.update(scenery.terrain.heights(), inSteps(bodiesOf(environment).towardLight()));
     if (!in.freezeCulling) frozen.reset();
     const Viewpoint viewpoint = look(in, environment);
     canvas.resize("picture", viewpoint.eye.size);
@@ -119,6 +119,7 @@ Viewpoint Renderer::State::look(const FrameInput& in, io::Environment environmen
     v.frozen = frozen.has_value();
     v.bodies = bodiesOf(environment);
     v.towardSun = v.bodies.towardLight();
+    v.shadowsToward = inSteps(v.towardSun);
     v.heavens = heavensOf(environment, v.bodies);
     v.wind = windOf(environment.wind, in.settings.wind, v.eye.position, in.time);
     if (!environment.autoExposure.on || !in.settings.autoExposure) environment.exposure += usedToTheDark(v.bodies.towardSun);
@@ -135,9 +136,8 @@ Viewpoint Renderer::State::look(const FrameInput& in, io::Environment environmen
                        .bodies = v.bodies,
                        .time = in.time,
                        .groundShadow = scenery.groundShadow.placement(v.eye.position)});
-    const bool sunUp = v.towardSun.y > -0.02;
-    if (in.settings.shadows && sunUp) v.cascades = cascadesOf(v.eye, environment.shadows, v.towardSun, v.light.sunRadius);
-    v.shadows = shadowConstants(environment.shadows, v.cascades);
+    if (in.settings.shadows && sunReaches(v.light)) v.cascades = cascadesOf(v.eye, environment.shadows, v.shadowsToward, v.light.sunRadius);
+    v.shadows = shadowConstants(environment.shadows, v.cascades, v.shadowsToward);
     addShafts(v, environment.fog, in.settings);
     return v;
 }
@@ -249,11 +249,11 @@ std::vector<Line> Renderer::State::linesOf(const FrameInput& in, const Viewpoint
         addNodes(lines, trees, viewpoint.eye, viewpoint.frozen ? std::optional{volumeOf(viewpoint.culledFor)} : std::nullopt);
     }
     if (in.show == Show::ShadowBoxes) {
-        addCascades(lines, viewpoint.cascades, viewpoint.eye, viewpoint.towardSun, !viewpoint.frozen);
+        addCascades(lines, viewpoint.cascades, viewpoint.eye, viewpoint.shadowsToward, !viewpoint.frozen);
         const Eye& frozenEye = viewpoint.culledFor;
         const io::Shadows shadows = capped(scenery.environment.shadows, in.settings);
         if (viewpoint.frozen && !viewpoint.cascades.empty())
-            addCascades(lines, cascadesOf(frozenEye, shadows, viewpoint.towardSun, viewpoint.light.sunRadius), frozenEye, viewpoint.towardSun, true);
+            addCascades(lines, cascadesOf(frozenEye, shadows, viewpoint.shadowsToward, viewpoint.light.sunRadius), frozenEye, viewpoint.shadowsToward, true);
     }
     return lines;
 }

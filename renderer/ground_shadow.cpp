@@ -8,6 +8,7 @@ namespace renderer {
 namespace {
 
 constexpr int kLargest = 1024; // cells along a side
+constexpr int kRim = 1;        // cells without ground around it, where the ground's own edge throws its shadow out of the map
 constexpr float kNoShadow = -1e5f;
 
 gl::Texture makeTexture(glm::ivec2 size)
@@ -24,7 +25,7 @@ std::vector<float> shadowHeights(glm::ivec2 size, const std::vector<float>& heig
     std::vector<float> shadow(heights.size(), kNoShadow);
     const glm::dvec2 flat{towardSun.x, towardSun.z};
     const double length = glm::length(flat);
-    if (length < 1e-4 || towardSun.y <= 0) return shadow;
+    if (length < 1e-4) return shadow;
 
     const bool alongX = std::abs(flat.x) >= std::abs(flat.y);
     const double major = alongX ? flat.x : flat.y, minor = alongX ? flat.y : flat.x;
@@ -60,17 +61,18 @@ GroundShadow::GroundShadow() : m_texture{makeTexture({1, 1})}
 void GroundShadow::coarsen(const io::HeightMap& map, const io::HeightMap* before)
 {
     const int step = (std::max(map.size.x, map.size.y) + kLargest - 1) / kLargest;
-    m_size = (map.size - 1) / step + 1;
+    const glm::ivec2 size = (map.size - 1) / step + 1;
+    m_size = size + 2 * kRim;
     m_cell = map.metresPerTexel * step;
-    m_heights.resize(std::size_t(m_size.x) * m_size.y);
+    if (!before) m_heights.assign(std::size_t(m_size.x) * m_size.y, kNoShadow);
     for (int tz = 0; tz < map.field().tiles().y; ++tz)
         for (int tx = 0; tx < map.field().tiles().x; ++tx) {
             if (before && before->field().tile({tx, tz}) == map.field().tile({tx, tz})) continue;
             const io::TexelRect rect = io::texelsOf({tx, tz});
-            const glm::ivec2 low = (glm::ivec2{rect.low} + step - 1) / step, high = glm::min((glm::ivec2{rect.high} + step - 1) / step, m_size);
+            const glm::ivec2 low = (glm::ivec2{rect.low} + step - 1) / step, high = glm::min((glm::ivec2{rect.high} + step - 1) / step, size);
             for (int z = low.y; z < high.y; ++z)
                 for (int x = low.x; x < high.x; ++x)
-                    m_heights[std::size_t(z) * m_size.x + x] = map.at(x * step, z * step);
+                    m_heights[std::size_t(z + kRim) * m_size.x + x + kRim] = map.at(x * step, z * step);
         }
 }
 
@@ -95,7 +97,7 @@ glm::vec4 GroundShadow::placement(const glm::dvec3& eye) const
 {
     if (!m_map) return {0, 0, 0.5f, 0.5f};
     const glm::dvec2 scale = 1.0 / (m_cell * glm::dvec2{m_size});
-    const glm::dvec2 offset = (glm::dvec2{eye.x, eye.z} - m_map->origin + m_cell / 2) * scale;
+    const glm::dvec2 offset = (glm::dvec2{eye.x, eye.z} - m_map->origin + m_cell * (kRim + 0.5)) * scale;
     return {glm::vec2{scale}, glm::vec2{offset}};
 }
 

@@ -10,7 +10,7 @@
 
 namespace renderer {
 
-// Heights under which the sun is hidden, on the grid of `heights` (row by row from -Z, `cell` metres apart).
+// Heights under which the sun is hidden, above or below the horizon, on the grid of `heights` (row by row from -Z, `cell` metres apart).
 std::vector<float> shadowHeights(glm::ivec2 size, const std::vector<float>& heights, double cell, const glm::dvec3& towardSun);
 
 class GroundShadow {

@@ -50,6 +50,16 @@ Bodies bodiesOf(const io::Environment& environment)
     return b;
 }
 
+// On rings of one height, each cut into as many whole steps as it is long: no history, so a still picture has none.
+glm::dvec3 inSteps(const glm::dvec3& direction)
+{
+    constexpr double kStep = glm::radians(0.05), kTurn = 2 * std::numbers::pi;
+    const double height = std::round(std::asin(std::clamp(direction.y, -1.0, 1.0)) / kStep) * kStep;
+    const double step = kTurn / std::max(std::round(kTurn * std::cos(height) / kStep), 1.0);
+    const double around = std::round(std::atan2(direction.x, direction.z) / step) * step;
+    return {std::sin(around) * std::cos(height), std::sin(height), std::cos(around) * std::cos(height)};
+}
+
 glm::vec3 nightOnSurfaces(const Bodies& b)
 {
     return kOnSurfaces * (float(b.night) + 0.6f * moonInSky(b));

@@ -22,6 +22,10 @@ struct Bodies {
 };
 Bodies bodiesOf(const io::Environment& environment);
 
+// The nearest of directions that stand about 0.05 degrees apart. Shadows are drawn for those: else all their edges would
+// shimmer, and all maps be drawn, in each frame of a running day.
+glm::dvec3 inSteps(const glm::dvec3& direction);
+
 glm::vec3 nightOnSurfaces(const Bodies& bodies); // radiance from all around, about: what shapes are seen by
 
 glsl::Heavens heavensOf(const io::Environment& environment, const Bodies& bodies);

@@ -84,6 +84,8 @@ glsl::Light lightOf(const LightInput& input)
     light.sunAbove = e.sun.irradiance;
     const glm::vec3 above = input.bodies.moonLights ? input.bodies.moonlight : e.sun.irradiance;
     light.sunIrradiance = above * sunThrough(light.atmosphere, eyeHeight, toward, radius);
+    for (int i = 0; i < SUN_HEIGHTS; ++i)
+        light.sunAt[i] = glm::vec4{above * sunThrough(light.atmosphere, glsl::sunHeightOf(i), toward, radius), 0};
     light.sunAtClouds = above * sunThrough(light.atmosphere, e.clouds.altitude, toward, radius);
     light.cloudsOn = input.settings.clouds ? glm::smoothstep(0.0f, 0.08f, e.clouds.coverage) : 0.0f;
     light.sunRadius = float(radius);
@@ -92,6 +94,12 @@ glsl::Light lightOf(const LightInput& input)
     light.groundShadow = input.groundShadow;
     addFog(light, e.fog, input.settings.fog, eyeHeight);
     return light;
+}
+
+bool sunReaches(const glsl::Light& light)
+{
+    const glm::vec4& highest = light.sunAt[SUN_HEIGHTS - 1];
+    return std::max({highest.x, highest.y, highest.z}) > 0;
 }
 
 } // namespace renderer

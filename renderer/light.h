@@ -24,4 +24,6 @@ struct LightInput {
 };
 glsl::Light lightOf(const LightInput& input);
 
+bool sunReaches(const glsl::Light& light); // any height: it may have set in the valleys
+
 } // namespace renderer

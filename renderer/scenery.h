@@ -36,6 +36,7 @@ struct Viewpoint {
     bool frozen = false;
     Bodies bodies;
     glm::dvec3 towardSun{0, 1, 0}; // or towards the moon, where that lights
+    glm::dvec3 shadowsToward{0, 1, 0}; // the same in steps, for shadows
     std::vector<Cascade> cascades; // empty: no shadows
     std::vector<Lamp> lamps;       // in view, brightest first; empty: none, or switched off
     glsl::View view;

@@ -29,7 +29,7 @@ glsl::ShadowCascade constantsOf(const Cascade& c, float blend, bool last)
 
 } // namespace
 
-glsl::Shadows shadowConstants(const io::Shadows& shadows, std::span<const Cascade> cascades)
+glsl::Shadows shadowConstants(const io::Shadows& shadows, std::span<const Cascade> cascades, const glm::dvec3& towardLight)
 {
     glsl::Shadows constants{};
     constants.ends = glm::vec4{kNever};
@@ -38,6 +38,8 @@ glsl::Shadows shadowConstants(const io::Shadows& shadows, std::span<const Cascad
     constants.bias = shadows.bias;
     constants.depthBias = shadows.depthBias;
     constants.cascades = int(cascades.size());
+    constants.towardLight = glm::vec3{towardLight};
+    constants.climb = float(towardLight.y / std::max(std::hypot(towardLight.x, towardLight.z), 1e-4));
     if (cascades.empty()) return constants;
     constants.resolution = float(cascades.front().resolution);
     for (std::size_t i = 0; i < cascades.size(); ++i) {

@@ -9,7 +9,7 @@
 
 namespace renderer {
 
-glsl::Shadows shadowConstants(const io::Shadows& shadows, std::span<const Cascade> cascades);
+glsl::Shadows shadowConstants(const io::Shadows& shadows, std::span<const Cascade> cascades, const glm::dvec3& towardLight);
 
 // The defines that shadows.glsl asks for.
 std::vector<std::string> shadowDefines(const glsl::Shadows& shadows);

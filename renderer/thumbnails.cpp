@@ -29,6 +29,7 @@ glsl::Light studioLight()
     light.towardSun = glm::normalize(glm::vec3{-0.25f, 0.75f, 0.62f});
     light.ambient = 1;
     light.sunIrradiance = glm::vec3{2.1f, 2.05f, 1.95f};
+    std::ranges::fill(light.sunAt, glm::vec4{light.sunIrradiance, 0});
     light.sunAbove = glm::vec3{1};
     light.sunSolidAngle = 0.015f; // a soft box, so that polished things show no glaring dot
     light.fogHeight = 1;

@@ -127,7 +127,7 @@ void ShadowPass::update(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpo
     Key key{.texel = cascade.texel,
             .bottom = cascade.bottom,
             .depthRange = cascade.depthRange,
-            .towardSun = viewpoint.towardSun,
+            .towardSun = viewpoint.shadowsToward,
             .world = scenery.world.revision(),
             .terrain = scenery.terrain.revision(),
             .culling = settings.culling,
@@ -138,10 +138,10 @@ void ShadowPass::update(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpo
     std::vector<io::TexelRect> stale;
     for (const std::span<const glm::dvec4> spheres : {scenery.world.touched(), scenery.terrain.touched()})
         for (const glm::dvec4& sphere : spheres)
-            stale.push_back(shadowOf(cascade, sphere, viewpoint.towardSun));
+            stale.push_back(shadowOf(cascade, sphere, viewpoint.shadowsToward));
     bool sways = !layer.window.empty() && key.time;
     for (const io::TexelRect& part : missing(cascade.window(), layer.window, stale))
-        for (const CascadePiece& piece : piecesOf(cascade, part, viewpoint.eye.position, viewpoint.towardSun))
+        for (const CascadePiece& piece : piecesOf(cascade, part, viewpoint.eye.position, viewpoint.shadowsToward))
             sways |= draw(gpu, scenery, viewpoint, cascade, layer, piece, settings);
     layer.key = key;
     layer.key.time = sways ? std::optional{timeFor(index, viewpoint.time)} : std::nullopt;
@@ -156,7 +156,7 @@ bool ShadowPass::draw(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoin
     view.pixelAngle = float(cascade.texel);
     const std::optional<Volume> volume = settings.culling ? std::optional{piece.casters} : std::nullopt;
     const CullRequest request{.volume = volume,
-                              .towardSun = viewpoint.towardSun,
+                              .towardSun = viewpoint.shadowsToward,
                               .smallestRadius = float(cascade.texel * 0.5),
                               .errorLength = settings.lod ? float(cascade.texel) * std::max(settings.lodPixels, 1.0f) : 0.0f,
                               .impostors = true,

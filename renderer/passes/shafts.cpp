@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kRange = 2;              // of froxels, in distances of the shadows: mountains throw theirs farther
 constexpr double kLeastRange = 200, kMostRange = 4000; // m
-constexpr double kSunLow = -0.02;         // sine of the elevation under which it throws none
 constexpr double kFadeFrom = 0.05, kFadeTo = 0.7; // how far outside of the picture the sun may stand, of its size
 
 struct SunOnScreen {
@@ -44,7 +43,7 @@ void addHaze(std::vector<std::string>& defines, const Viewpoint& viewpoint)
 void addShafts(Viewpoint& viewpoint, const io::Fog& fog, const Settings& settings)
 {
     viewpoint.shafts = Shafts::None;
-    if (!settings.shafts || fog.shafts <= 0 || viewpoint.light.fogDensity <= 0 || viewpoint.towardSun.y < kSunLow) return;
+    if (!settings.shafts || fog.shafts <= 0 || viewpoint.light.fogDensity <= 0 || viewpoint.light.sunIrradiance == glm::vec3{0}) return;
     const SunOnScreen sun = sunOnScreen(viewpoint.eye, viewpoint.towardSun);
     const bool volume = settings.froxels && !viewpoint.cascades.empty();
     const bool clouded = viewpoint.light.cloudsOn > 0;

@@ -35,7 +35,7 @@ void main()
 #endif
     vec3 toEye = -normalize(relative);
     Reflector reflector = reflectorAt(s, toEye);
-    vec3 lit = shade(s, reflector, toEye, sun) + m.emissive;
+    vec3 lit = shade(s, reflector, toEye, sunAt(relative) * sun) + m.emissive;
 #ifdef LAMPS
     lit += lampLight(s, reflector, relative, toEye, gl_FragCoord.xy);
 #endif

@@ -4,6 +4,9 @@
 #include "light.glsl"
 #include "shared/gbuffer.h"
 #include "shared/impostor.h"
+#ifdef SHADOW
+#include "shadows_block.glsl"
+#endif
 #include "view.glsl"
 
 layout(location = 0) in vec3 inCentre;    // m
@@ -41,7 +44,7 @@ void main()
 
     // From here on lengths are shares of the radius, seen from the centre.
 #ifdef SHADOW
-    vec3 eye = normalize(inverse(model) * light.towardSun) * 1e4;
+    vec3 eye = normalize(inverse(model) * shadows.towardLight) * 1e4; // as the maps are drawn
 #else
     vec3 eye = -(inverse(model) * origin + inCentre) / radius;
 #endif

@@ -47,7 +47,7 @@ void main()
 #endif
     vec3 toEye = -normalize(relative);
     Reflector reflector = reflectorAt(s, toEye);
-    vec3 lit = shade(s, reflector, toEye, sun);
+    vec3 lit = shade(s, reflector, toEye, sunAt(relative) * sun);
 #ifdef LAMPS
     lit += lampLight(s, reflector, relative, toEye, gl_FragCoord.xy);
 #endif

@@ -4,6 +4,7 @@
 #include "shadows.glsl"
 #include "sky_light.glsl"
 #include "sky_mirror.glsl"
+#include "sun_at.glsl"
 #include "shared/brdf.h"
 #include "shared/gbuffer.h"
 #include "view.glsl"
@@ -52,7 +53,8 @@ float lobeSeen(float seen, float nov, float roughness)
     return clamp(pow(nov + seen, exp2(-16.0 * roughness - 1.0)) - 1.0 + seen, 0.0, 1.0);
 }
 
-vec3 shade(Surface s, Reflector r, vec3 toEye, float sun)
+// `sun` is the irradiance that comes to the place, across to it.
+vec3 shade(Surface s, Reflector r, vec3 toEye, vec3 sun)
 {
     bool leaf = (s.bits & SURFACE_LEAF) != 0u;
     vec3 ambientNormal = leaf ? normalize(s.normal + vec3(0.0, 0.6, 0.0)) : s.normal;
@@ -60,7 +62,7 @@ vec3 shade(Surface s, Reflector r, vec3 toEye, float sun)
     vec3 sky = r.diffuse * skyIrradiance(ambientNormal) * skySeen(s.occlusion, r.diffuse);
     sky += skyMirrored(mirrored, s.normal, s.roughness) * r.mirrored *
            (lobeSeen(s.occlusion, r.nov, s.roughness) * (leaf ? 0.3 : 1.0));
-    return surfaceLight(s, r, toEye, light.towardSun, 1.0 / light.sunSolidAngle) * light.sunIrradiance * sun + sky * light.ambient;
+    return surfaceLight(s, r, toEye, light.towardSun, 1.0 / light.sunSolidAngle) * sun + sky * light.ambient;
 }
 
 const vec3 kViolet = vec3(0.36, 0.08, 0.85); // linear; what is selected leans towards it

@@ -69,7 +69,7 @@ void main()
     sun *= cloudShadow(centre);
 #endif
     float forward = ahead(0.45, -dot(toEye, light.towardSun)) * 0.6 + 0.4;
-    sunlight = light.sunIrradiance * (sun * forward / kPi);
+    sunlight = sunAt(centre) * (sun * forward / kPi);
     skylight = 0.5 * (skyIrradiance(vec3(0.0, 1.0, 0.0)) + skyIrradiance(toEye)) * light.ambient;
     towardSun = vec3(dot(light.towardSun, across) * mirror, dot(light.towardSun, along), dot(light.towardSun, toEye));
     tint = s.colour;

@@ -1,9 +1,8 @@
 // Share of the sun's light that comes past what is in the shadow maps, and past the mountains beyond them.
 #include "light.glsl"
-#include "shared/shadows.h"
+#include "shadows_block.glsl"
 #include "view.glsl"
 
-layout(std140, binding = SHADOWS_BINDING) uniform ShadowsBlock { Shadows shadows; };
 layout(binding = SHADOW_UNIT) uniform sampler2DArrayShadow shadowMaps;
 layout(binding = GROUND_SHADOW_UNIT) uniform sampler2D groundShadow;
 
@@ -24,9 +23,9 @@ float shareOfNext(float away, int cascade)
 // Where a place is looked up: out of the slope it lies on, by as much as a filter of `reach` texels would see of it.
 vec3 shadowPlace(vec3 relative, vec3 normal, int cascade, float reach)
 {
-    float cosine = clamp(dot(normal, light.towardSun), 0.0, 1.0);
+    float cosine = clamp(dot(normal, shadows.towardLight), 0.0, 1.0);
     float along = shadows.bias * 0.5 * reach * sqrt(1.0 - cosine * cosine);
-    vec3 lifted = relative + (normal * along + light.towardSun * shadows.depthBias) * shadows.cascade[cascade].texel;
+    vec3 lifted = relative + (normal * along + shadows.towardLight * shadows.depthBias) * shadows.cascade[cascade].texel;
     return (shadows.cascade[cascade].textureFromRelative * vec4(lifted, 1.0)).xyz;
 }
 
@@ -117,7 +116,7 @@ float shadowIn(int cascade, vec3 relative, vec3 normal)
 #ifdef CONTACT_SHADOWS
     float reach = shadows.reach;
     if (cascade < CONTACT_CASCADES) {
-        float cosine = clamp(dot(normal, light.towardSun), 0.05, 1.0);
+        float cosine = clamp(dot(normal, shadows.towardLight), 0.05, 1.0);
         reach = penumbraAt(shadowPlace(relative, normal, cascade, kSharpest), cascade, sqrt(1.0 - cosine * cosine) / cosine);
     }
     return tentFiltered(shadowPlace(relative, normal, cascade, reach), cascade, reach, min(int(ceil(reach)), MOST_TAPS));
@@ -133,11 +132,28 @@ float shadowIn(int cascade, vec3 relative, vec3 normal)
 
 #endif // SHADOWS
 
-// Beyond the shadow maps: whether a mountain stands before the sun.
+// How far a ray towards the light goes, m along the ground, until it is over the ground that throws shadows: 0 there,
+// negative where it never is. Borders are the middles of texels.
+float wayToGround(vec2 place, vec2 direction)
+{
+    vec2 border = 0.5 / vec2(textureSize(groundShadow, 0));
+    vec2 speed = direction * light.groundShadow.xy;
+    speed += mix(vec2(-1e-12), vec2(1e-12), greaterThanEqual(speed, vec2(0.0)));
+    vec2 one = (border - place) / speed, other = (1.0 - border - place) / speed;
+    vec2 enters = min(one, other), leaves = max(one, other);
+    float entered = max(max(enters.x, enters.y), 0.0);
+    return entered <= min(leaves.x, leaves.y) ? entered : -1.0;
+}
+
+// Beyond the shadow maps: whether a mountain stands before the sun. The light climbs from a place beyond the map's edge to it.
 float sunOverGround(vec3 relative)
 {
     vec2 place = relative.xz * light.groundShadow.xy + light.groundShadow.zw;
-    float shadow = textureLod(groundShadow, place, 0.0).r - view.eyeHeight;
+    vec2 direction = shadows.towardLight.xz / max(length(shadows.towardLight.xz), 1e-4);
+    float way = wayToGround(place, direction);
+    if (way < 0.0) return 1.0;
+    place += direction * light.groundShadow.xy * way;
+    float shadow = textureLod(groundShadow, place, 0.0).r - way * shadows.climb - view.eyeHeight;
     float soft = 1.5 + length(relative) * 0.004;
     return smoothstep(-soft, soft, relative.y - shadow + soft);
 }

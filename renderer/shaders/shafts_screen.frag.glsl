@@ -2,10 +2,10 @@
 // Post-Process" (GPU Gems 3, ch. 13), but knowing how deep things lie. A place in the fog at depth t on this pixel's ray
 // sends a ray to the sun that runs over the picture towards it; at the share f of the way its depth is t / (1 - f). So what
 // stands there at depth z, some metres thick, darkens the fog from z (1 - f) on.
+#include "shafts.glsl"
 #ifdef CLOUD_SHADOWS
 #include "cloud_shadow.glsl"
 #endif
-#include "shafts.glsl"
 
 layout(binding = GBUFFER_DEPTH_UNIT) uniform sampler2D gbufferDepth;
 layout(location = 0) in vec2 uv;

@@ -58,8 +58,9 @@ float fresnelOfWater(float cosine, float lost)
     return kReflected + (1.0 - kReflected) * grazing / (1.0 + 22.7 * pow(deviation, 1.5));
 }
 
-// The sun in the facets of the surface: no narrower than its disc is.
-vec3 glitter(vec3 normal, vec3 toEye, float lost)
+// The sun in the facets of the surface, for each unit of its light: no narrower than its disc is, and as much of it as stands
+// above the water's plane.
+float glitter(vec3 normal, vec3 toEye, float lost)
 {
     vec3 h = normalize(toEye + light.towardSun);
     float alpha = sqrt(lost + 0.25 * light.sunRadius * light.sunRadius + 1e-6);
@@ -67,7 +68,7 @@ vec3 glitter(vec3 normal, vec3 toEye, float lost)
     float nov = clamp(dot(normal, toEye), 0.02, 1.0);
     float facets = min(distributionGgx(alpha, clamp(dot(normal, h), 0.0, 1.0)) * visibilitySmith(alpha, nol, nov), 4000.0);
     float f = kReflected + (1.0 - kReflected) * pow(1.0 - clamp(dot(h, toEye), 0.0, 1.0), 5.0);
-    return light.sunIrradiance * (facets * f * nol * step(0.0, light.towardSun.y));
+    return facets * f * nol * clamp(0.5 + 0.5 * light.towardSun.y / light.sunRadius, 0.0, 1.0);
 }
 
 // m of water below the surface at what a place of the picture shows; far without a ground.
@@ -125,12 +126,12 @@ void main()
     normal = facing < 0.02 ? normalize(normal + toEye * (0.02 - facing)) : normal;
     float cosine = max(dot(normal, toEye), 0.02);
 
-    float sun = sunVisibility(relative, vec3(0.0, 1.0, 0.0), gl_FragCoord.xy);
+    vec3 sun = sunAt(relative) * sunVisibility(relative, vec3(0.0, 1.0, 0.0), gl_FragCoord.xy);
 #ifdef CLOUD_SHADOWS
     sun *= cloudShadow(relative);
 #endif
     // As of white, over pi; what is diffuse takes its colour of it.
-    vec3 around = light.sunIrradiance * (sun * max(light.towardSun.y, 0.0) / kPi) + skyIrradiance(vec3(0.0, 1.0, 0.0)) * light.ambient;
+    vec3 around = sun * (max(light.towardSun.y, 0.0) / kPi) + skyIrradiance(vec3(0.0, 1.0, 0.0)) * light.ambient;
     vec3 deep = water.colour * around;
 
     vec3 lit;
@@ -149,8 +150,8 @@ void main()
     float slant = sqrt(1.0 - (1.0 - toEye.y * toEye.y) / (kDense * kDense));
     float through = exp(-water.extinction * below / slant);
     // Light that a crest lets through, towards the sun.
-    float crest = clamp(s.crowding, 0.0, 1.0) * pow(clamp(-dot(toEye, light.towardSun), 0.0, 1.0), 3.0) * sun;
-    vec3 within = deep + water.colour * light.sunIrradiance * (0.6 * crest);
+    float crest = clamp(s.crowding, 0.0, 1.0) * pow(clamp(-dot(toEye, light.towardSun), 0.0, 1.0), 3.0);
+    vec3 within = deep + water.colour * sun * (0.6 * crest);
 
     float f = fresnelOfWater(cosine, s.lost);
     vec3 upward = reflect(-toEye, normal);

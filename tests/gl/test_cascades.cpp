@@ -84,7 +84,7 @@ TEST(Cascades, CoverTheirSlicesAndWhatTheFilterSees)
             const renderer::Eye eye = renderer::eyeOf(camera, {1280, 720});
             const glm::dvec3 sun = glm::normalize(glm::dvec3{side(random), height(random), side(random)});
             const auto cascades = renderer::cascadesOf(eye, kind.shadows, sun, kSunRadius);
-            const glsl::Shadows constants = renderer::shadowConstants(kind.shadows, cascades);
+            const glsl::Shadows constants = renderer::shadowConstants(kind.shadows, cascades, sun);
             double begin = 0;
             for (std::size_t k = 0; k < cascades.size(); ++k) {
                 const renderer::Cascade& cascade = cascades[k];

@@ -43,6 +43,7 @@ TEST_F(Layout, ViewAndLightAgree)
 
     EXPECT_EQ(offsetIn(p, "light.sunRadius"), offsetof(glsl::Light, sunRadius));
     EXPECT_EQ(offsetIn(p, "light.sunAtClouds"), offsetof(glsl::Light, sunAtClouds));
+    EXPECT_EQ(offsetIn(p, "light.sunAt[0]"), offsetof(glsl::Light, sunAt));
     EXPECT_EQ(offsetIn(p, "light.atmosphere.rayleigh"), offsetof(glsl::Light, atmosphere.rayleigh));
     EXPECT_EQ(offsetIn(p, "light.atmosphere.horizon"), offsetof(glsl::Light, atmosphere.horizon));
     EXPECT_EQ(offsetIn(p, "skyLight.irradiance[0]"), 0);
@@ -59,6 +60,7 @@ TEST_F(Layout, ViewAndLightAgree)
     EXPECT_EQ(offsetIn(p, "shadows.ends"), offsetof(glsl::Shadows, ends));
     EXPECT_EQ(offsetIn(p, "shadows.resolution"), offsetof(glsl::Shadows, resolution));
     EXPECT_EQ(offsetIn(p, "shadows.fadeScale"), offsetof(glsl::Shadows, fadeScale));
+    EXPECT_EQ(offsetIn(p, "shadows.climb"), offsetof(glsl::Shadows, climb));
 }
 
 TEST_F(Layout, HeavensAgree)

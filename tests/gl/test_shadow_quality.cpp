@@ -1,4 +1,5 @@
 // What is asked of shadows: edges that stand still, no acne, no gaps, no caster that is lost, no seams.
+#include "renderer/heavens.h"
 #include "renderer/shaders/shared/shadows.h"
 #include "tests/gl/support/shadow_probe.h"
 
@@ -300,6 +301,71 @@ TEST(ShadowQuality, PenumbraeWidenWithTheDistanceToWhatThrowsThem)
     EXPECT_GT(widthAt(true, high), 2.5 * widthAt(true, low));
     // 80 % of the light of a disc comes between 0.69 of its radius to either side.
     EXPECT_NEAR(widthAt(true, high), 2 * 0.69 * 20.5 * std::tan(glm::radians(0.53 / 2)), 0.05);
+}
+
+// A map that ends as a cliff of 200 m: its shadow on what lies around ends as well.
+TEST(GroundShadow, EndsBeyondTheMap)
+{
+    test::TestWorld world;
+    world.scene.exchange(io::Terrain{.heightMap = "terrain/rim.png"});
+    world.scene.exchange(test::heightMap({65, 65}, 16, [](double x, double z) { return std::max(std::abs(x), std::abs(z)) > 480 ? 200.0 : 0.0; }));
+    test::load(world);
+    test::ShadowProbe probe;
+    for (const float azimuth : {90.0f, 200.0f, 315.0f}) {
+        const io::Environment environment = light({.distance = 50}, azimuth, 30); // 346 m of shadow
+        setLight(world, environment);
+        const double a = glm::radians(double(azimuth));
+        const glm::dvec3 toward{std::sin(a), 0, -std::cos(a)};
+        const glm::dvec3 edge = -toward * (512 / std::max(std::abs(toward.x), std::abs(toward.z)));
+        const std::vector<GroundPoint> points{{edge - toward * 60.0}, {edge - toward * 260.0}, {edge - toward * 450.0},
+                                              {edge - toward * 5000.0}, {edge + glm::dvec3{toward.z, 0, -toward.x} * 3000.0}, {-edge + toward * 300.0}};
+        const std::vector<float> lit = probe.ask(environment, {.eye = {0, 600, 0}, .pitch = -20}, points);
+        const std::vector<float> expected{0, 0, 1, 1, 1, 1};
+        for (std::size_t i = 0; i < points.size(); ++i)
+            EXPECT_NEAR(lit[i], expected[i], 0.02) << azimuth << ", point " << i;
+    }
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
+// What a frame of a day that runs 60 times as fast changes in shadows: mostly nothing, and then no map is drawn.
+TEST(ShadowQuality, StandStillInMostFramesOfARunningDay)
+{
+    constexpr double kTurn = 0.008; // degrees a frame
+    constexpr int kFrames = 40;
+    test::TestWorld world = town();
+    test::load(world);
+    renderer::FrameInput in = test::frame({320, 180}, {.eye = {-60, 8, 80}, .yaw = 20, .pitch = -14});
+    in.show = renderer::Show::Shadow;
+    std::vector<std::byte> before;
+    std::uint64_t still = 0;
+    int changes = 0, drawn = 0;
+    for (int i = 0; i < kFrames; ++i) {
+        setLight(world, light({}, float(150 + i * kTurn), float(32 + i * kTurn * 0.5)));
+        test::shared().render(in);
+        const std::uint64_t calls = test::shared().stats().drawCalls;
+        const std::vector<std::byte> now = test::shared().readPicture().bytes;
+        if (i > 0) changes += now != before, drawn += calls > still + 2; // the sky's tables follow the sun
+        before = now;
+        if (i > 0) continue;
+        test::shared().render(in);
+        still = test::shared().stats().drawCalls;
+    }
+    EXPECT_GT(changes, 0) << "they do follow the sun";
+    EXPECT_LE(changes, kFrames / 3);
+    EXPECT_LE(drawn, changes);
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
+// A still picture depends on no frame before it.
+TEST(ShadowQuality, StepsOfTheSunHaveNoHistory)
+{
+    for (int i = 0; i < 20000; ++i) {
+        const double height = glm::radians(-90 + 180.0 * (i % 141) / 140), around = i * 0.37;
+        const glm::dvec3 sun{std::sin(around) * std::cos(height), std::sin(height), std::cos(around) * std::cos(height)};
+        const glm::dvec3 step = renderer::inSteps(sun);
+        ASSERT_LT(glm::degrees(glm::length(step - sun)), 0.037) << height;
+        ASSERT_LT(glm::length(renderer::inSteps(step) - step), 1e-9) << height;
+    }
 }
 
 } // namespace

@@ -318,6 +318,53 @@ TEST(Sky, SunLightOnTheGroundIsTheReferences)
     }
 }
 
+// Ground has the light of its own height: none comes or goes as the eye climbs.
+TEST(Sky, SunLightOnTheGroundIsOneFromEveryEye)
+{
+    constexpr double kAway = 3000;
+    test::TestWorld world;
+    test::addObject(world, test::addTemplate(world, "tower", test::box({300, 3000, 300}, {0.6f, 0.6f, 0.6f, 1})), {});
+    io::Environment environment = test::plainEnvironment(180, -1); // behind the eye
+    environment.sky.ambient = environment.sky.aerial = 0;
+    world.scene.exchange(environment);
+    test::load(world);
+    const auto seen = [&](double eye, double height) {
+        const io::Camera camera{.eye = {0, eye, kAway}, .pitch = float(glm::degrees(std::atan2(height - eye, kAway))), .fov = 1};
+        test::shared().render(test::frame({9, 9}, camera));
+        return double(test::shared().readRadiance().row<glm::vec3>(4)[4].x);
+    };
+    for (const double height : {50.0, 2400.0}) // which of its sheen an eye sees still differs
+        EXPECT_NEAR(seen(2500, height), seen(300, height), 0.1 * seen(2500, 2400)) << height;
+    EXPECT_GT(seen(300, 2400), 20 * seen(300, 50)) << "peaks keep the sun when valleys have lost it";
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
+// From high up the sun is seen long after it has sunk below the horizon of what shadows are drawn for.
+TEST(Sky, DuskTakesNoStepInTheMountains)
+{
+    test::TestWorld world;
+    world.scene.exchange(io::Terrain{.heightMap = "terrain/ridges.png"});
+    world.scene.exchange(test::heightMap({257, 257}, 16, [](double x, double z) { return 2000 * std::pow(std::abs(std::sin(x / 500) * std::cos(z / 700)), 2.0); }));
+    double most = 0, before = 0;
+    for (double elevation = 0.5; elevation > -2; elevation -= 0.1) {
+        io::Environment environment = test::plainEnvironment(90, float(elevation));
+        environment.sky.aerial = environment.sky.ambient = 0;
+        world.scene.exchange(environment);
+        test::load(world);
+        test::shared().render(test::frame({96, 54}, {.eye = {-300, 3000, 0}, .yaw = 90, .pitch = -50}));
+        const io::Image image = test::shared().readRadiance();
+        double sum = 0;
+        for (int i = 0; i < 96 * 54; ++i)
+            sum += double(image.row<glm::vec3>(0)[i].x);
+        if (before > 0) {
+            EXPECT_LT(sum, before * 1.01) << elevation;
+            EXPECT_GT(sum, before - 0.1 * most) << elevation;
+        }
+        most = std::max(most, sum);
+        before = sum;
+    }
+}
+
 TEST(Sky, TheDiscIsAsWideAsTheSun)
 {
     test::TestWorld world;
@@ -340,7 +387,7 @@ TEST(Sky, NightIsDarkButNotBlackAndNeverNan)
     for (const float elevation : {-90.0f, -30.0f, -6.0f, -0.3f, 0.0f, 0.3f, 90.0f}) {
         world.scene.exchange(test::plainEnvironment(77, elevation));
         test::load(world);
-        test::shared().render(test::frame({96, 54}, {.eye = {0, 120, 0}, .pitch = -10}));
+        test::shared().render(test::frame({96, 54}, {.eye = {0, 120, 0}, .pitch = -60}));
         const io::Image image = test::shared().readRadiance();
         double sum = 0;
         for (int i = 0; i < 96 * 54; ++i) {
@@ -350,6 +397,9 @@ TEST(Sky, NightIsDarkButNotBlackAndNeverNan)
             sum += texel.y;
         }
         EXPECT_GT(sum, 0) << elevation;
+        if (elevation < -5) {
+            EXPECT_LT(sum / (96 * 54), 5e-5) << elevation << ": a day has 0.08";
+        }
     }
     EXPECT_EQ(test::shared().glErrors(), 0u);
 }

@@ -258,6 +258,29 @@ TEST(GroundShadow, AWallShadesAsFarAsTheSunIsLow)
     EXPECT_LT(renderer::shadowHeights(kCells, heights, 1, {0, 1, 0})[4 * 64 + 39], -1000) << "overhead nothing is shaded";
 }
 
+// A ridge across the light of a sun that sets: each step moves a shadow by what the ray turns over the way from its crest.
+TEST(GroundShadow, TheSunSetsBehindARidgeWithoutAJump)
+{
+    constexpr glm::ivec2 kCells{256, 8};
+    constexpr double kCell = 20, kStep = 0.05;
+    std::vector<float> heights(std::size_t(kCells.x * kCells.y));
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        heights[i] = 300 * std::exp(-float(std::pow(double(i % kCells.x) - 200, 2)) / 200);
+    std::vector<float> before;
+    for (double elevation = 0.5; elevation > -1; elevation -= kStep) {
+        const double angle = glm::radians(elevation);
+        const auto shadow = renderer::shadowHeights(kCells, heights, kCell, {std::cos(angle), std::sin(angle), 0});
+        if (elevation < 0) {
+            EXPECT_GT(shadow[std::size_t(4) * 256 + 20], 300) << elevation << ": who looks down on a set sun sees it past the crest";
+        }
+        for (std::size_t i = 0; i < before.size(); ++i)
+            if (i % kCells.x < 200) {
+                ASSERT_NEAR(shadow[i], before[i], 256 * kCell * glm::radians(kStep) * 1.01) << elevation;
+            }
+        before = shadow;
+    }
+}
+
 renderer::TerrainChoice::Eye walker(double x, double z, double height)
 {
     return {.place = {x, height, z}, .metresPerTexel = 1, .errorAngle = 1e-3, .smallestQuad = 5e-3};

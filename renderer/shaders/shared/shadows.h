@@ -26,8 +26,9 @@ struct Shadows {
     float resolution;  float reach;       // texels along a side; half the filter's width, texels
     float bias;        float depthBias;   // texels along the normal of a slope, and towards the light
     float fadeFrom;    float fadeScale;   // distance at which shadows begin to end, m; per m
+    vec3 towardLight;  float climb;       // unit, of which Light has the exact one; of a ray to it, m up for each m along the ground
 };
-SHARED_STRUCT_END(Shadows, 624)
+SHARED_STRUCT_END(Shadows, 640)
 
 // sRGB, of tinted cascades and of their boxes.
 SHARED_FUNCTION vec3 cascadeTint(int cascade)

@@ -1,5 +1,7 @@
 #include "tests/gl/support/shadow_probe.h"
 
+#include "renderer/heavens.h"
+
 #include <array>
 #include <string_view>
 
@@ -33,8 +35,9 @@ std::vector<float> ShadowProbe::ask(const io::Environment& environment, const io
     shared().render(in); // leaves its constants and maps bound
     m_eye = renderer::eyeOf(camera, kSize);
     const double radius = glm::radians(double(environment.sun.angularDiameter)) / 2;
-    m_cascades = renderer::cascadesOf(m_eye, environment.shadows, io::towardSun(environment), radius);
-    m_constants = renderer::shadowConstants(environment.shadows, m_cascades);
+    const glm::dvec3 toward = renderer::inSteps(io::towardSun(environment));
+    m_cascades = renderer::cascadesOf(m_eye, environment.shadows, toward, radius);
+    m_constants = renderer::shadowConstants(environment.shadows, m_cascades, toward);
 
     std::vector<glm::vec4> places, normals;
     for (const GroundPoint& point : points) {
