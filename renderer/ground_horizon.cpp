@@ -23,13 +23,12 @@ GroundHorizon::GroundHorizon(const glm::dvec3& eye) : m_eye{eye}
     m_slopes.fill(-std::numeric_limits<float>::infinity());
 }
 
-bool GroundHorizon::beside(const Box& box, Seen& seen) const
+GroundHorizon::Seen GroundHorizon::look(const Box& box) const
 {
     const glm::dvec2 from = box.from - glm::dvec2{m_eye.x, m_eye.z}, to = box.to - glm::dvec2{m_eye.x, m_eye.z};
-    const glm::dvec2 nearest = glm::max(glm::max(from, -to), glm::dvec2{0});
-    seen.nearest = glm::length(nearest);
-    if (seen.nearest == 0) return false;
-    seen.farthest = glm::length(glm::max(glm::abs(from), glm::abs(to)));
+    const double nearest = glm::length(glm::max(glm::max(from, -to), glm::dvec2{0}));
+    if (nearest == 0) return {};
+    const double farthest = glm::length(glm::max(glm::abs(from), glm::abs(to)));
     const double middle = direction((from + to) * 0.5);
     double first = 0, last = 0; // from the middle; a box beside the eye takes less than half of a turn
     for (const glm::dvec2& corner : {from, to, glm::dvec2{from.x, to.y}, glm::dvec2{to.x, from.y}}) {
@@ -39,32 +38,28 @@ bool GroundHorizon::beside(const Box& box, Seen& seen) const
         first = std::min(first, off);
         last = std::max(last, off);
     }
-    const double begin = middle + first;
-    seen.first = (begin < 0 ? begin + kTurn : begin) * (kSectors / kTurn);
-    seen.last = seen.first + (last - first) * (kSectors / kTurn);
-    return true;
+    const double start = middle + first, begin = (start < 0 ? start + kTurn : start) * (kSectors / kTurn);
+    const double end = begin + (last - first) * (kSectors / kTurn), rise = box.high - m_eye.y, least = box.low - m_eye.y;
+    return {.first = int(begin),
+            .last = int(end) + 1,
+            .inner = int(std::ceil(begin)),
+            .end = int(end),
+            .top = float(rise / (rise > 0 ? nearest : farthest)),
+            .bottom = float(least / (least > 0 ? farthest : nearest))};
 }
 
-bool GroundHorizon::hides(const Box& box) const
+bool GroundHorizon::hides(const Seen& seen) const
 {
-    Seen seen;
-    if (!beside(box, seen)) return false;
-    const double rise = box.high - m_eye.y;
-    const double steepest = rise / (rise > 0 ? seen.nearest : seen.farthest);
-    for (int sector = int(seen.first); sector <= int(seen.last); ++sector)
-        if (double(m_slopes[std::size_t(sector % kSectors)]) <= steepest) return false;
-    return true;
+    for (int sector = seen.first; sector < seen.last; ++sector)
+        if (m_slopes[std::size_t(sector & (kSectors - 1))] <= seen.top) return false;
+    return bool(seen);
 }
 
-void GroundHorizon::add(const Box& box)
+void GroundHorizon::add(const Seen& seen)
 {
-    Seen seen;
-    if (!beside(box, seen)) return;
-    const double rise = box.low - m_eye.y;
-    const auto slope = float(rise / (rise > 0 ? seen.farthest : seen.nearest));
-    for (int sector = int(std::ceil(seen.first)); sector < int(seen.last); ++sector) { // those that it fills
-        float& own = m_slopes[std::size_t(sector % kSectors)];
-        own = std::max(own, slope);
+    for (int sector = seen.inner; sector < seen.end; ++sector) {
+        float& own = m_slopes[std::size_t(sector & (kSectors - 1))];
+        own = std::max(own, seen.bottom);
     }
 }
 

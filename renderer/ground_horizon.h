@@ -17,16 +17,18 @@ public:
         glm::dvec2 from{0}, to{0}; // x and z
         double low = 0, high = 0;
     };
-    bool hides(const Box& box) const;
-    void add(const Box& box);
+    struct Seen { // of a box, from the eye; nothing where that is above the box
+        int first = 0, last = 0;   // sectors that it touches, and beyond them, up to once around farther
+        int inner = 0, end = 0;    // those that it fills
+        float top = 0, bottom = 0; // the steepest line of sight to it; the least steep that is sure to meet it
+        explicit operator bool() const { return first < last; }
+    };
+    Seen look(const Box& box) const;
+    bool hides(const Seen& seen) const;
+    void add(const Seen& seen);
 
 private:
-    static constexpr int kSectors = 2048;
-    struct Seen { // of a box, from the eye
-        double first = 0, last = 0;     // sectors, `first` in [0, kSectors), `last` up to once around farther
-        double nearest = 0, farthest = 0; // m, on the plane
-    };
-    bool beside(const Box& box, Seen& seen) const; // false where the eye is above the box
+    static constexpr int kSectors = 2048; // a power of two
 
     glm::dvec3 m_eye;
     std::array<float, kSectors> m_slopes; // of the steepest line of sight that meets ground

@@ -256,8 +256,13 @@ std::vector<ChosenNode> Terrain::chosenBeforeOthers(const Volume& volume) const
 {
     GroundHorizon horizon{m_levelsFrom};
     return m_choice.nodes(
-        m_tree, [&](const GroundNode& node) { return sees(volume, node) && !horizon.hides(boxOf(node)); },
-        [&](const GroundNode& node) { horizon.add(boxOf(node)); });
+        m_tree,
+        [&](const GroundNode& node) -> std::optional<GroundHorizon::Seen> {
+            if (!sees(volume, node)) return std::nullopt;
+            const GroundHorizon::Seen seen = horizon.look(boxOf(node));
+            return horizon.hides(seen) ? std::nullopt : std::optional{seen};
+        },
+        [&](const std::optional<GroundHorizon::Seen>& seen) { horizon.add(*seen); });
 }
 
 // What rests at the finest level is drawn as grids by both stages: those triangles are the map's, to either side of their diagonals,

@@ -77,7 +77,7 @@ TerrainChoice::Reach& TerrainChoice::visit(const TerrainTree& tree, int level, g
     } else {
         const glm::dvec3 away = glm::max(glm::max(from - m_eye.place, m_eye.place - to), glm::dvec3{0});
         const double distance = std::max(glm::length(away), kNearest), quad = m_eye.metresPerTexel * double(1 << level);
-        own.value = float(std::min(double(tree.error(level, node)) / (m_eye.errorAngle * distance), quad / (m_eye.smallestQuad * distance)));
+        own.value = float(std::min(double(tree.error(level, node)) * m_eye.smallestQuad, quad * m_eye.errorAngle) / (m_eye.errorAngle * m_eye.smallestQuad * distance));
     }
     if (level > 0 && std::isfinite(m_farthest[std::size_t(level) - 1])) {
         const glm::dvec3 far = glm::max(glm::abs(from - m_eye.place), glm::abs(to - m_eye.place));

@@ -38,7 +38,7 @@ public:
     bool empty() const { return m_visited.empty(); }
 
     // What was chosen and `seen(node)` lets through, each asked after its parent; from front to back, as the eye's place has it.
-    // `passed(node)` comes after each that was let through, and after what is within it.
+    // `passed` comes after each that was let through, and after what is within it, with what `seen` said of it.
     template <class Test, class Passed> std::vector<ChosenNode> nodes(const TerrainTree& tree, Test&& seen, Passed&& passed) const
     {
         std::vector<ChosenNode> chosen;
@@ -47,7 +47,7 @@ public:
     }
     template <class Test> std::vector<ChosenNode> nodes(const TerrainTree& tree, Test&& seen) const
     {
-        return nodes(tree, seen, [](const GroundNode&) {});
+        return nodes(tree, seen, [](bool) {});
     }
 
 private:
@@ -55,10 +55,11 @@ private:
     void collect(const TerrainTree& tree, int level, glm::ivec2 node, Test& seen, Passed& passed, std::vector<ChosenNode>& out) const
     {
         const GroundNode here = tree.nodeAt(level, node);
-        if (!seen(here)) return;
+        const auto mark = seen(here);
+        if (!mark) return;
         if (!split(tree, level, node)) {
             out.push_back(finished(tree, here, node));
-            return passed(here);
+            return passed(mark);
         }
         const glm::dvec2 middle = glm::dvec2{here.origin + (TERRAIN_QUADS << level) / 2} * m_eye.metresPerTexel;
         const int first = (m_eye.place.x >= middle.x ? 1 : 0) + (m_eye.place.z >= middle.y ? 2 : 0);
@@ -67,7 +68,7 @@ private:
             const glm::ivec2 child = node * 2 + glm::ivec2{quarter & 1, quarter >> 1};
             if (glm::all(glm::lessThan(child, tree.nodes(level - 1)))) collect(tree, level - 1, child, seen, passed, out);
         }
-        passed(here);
+        passed(mark);
     }
     struct Reach {
         float value = 0;

@@ -108,9 +108,8 @@ Environment withPreset(const Environment& own, Preset preset)
         break;
     case Preset::GoldenHour:
         placeSun(e, 12, false); // mountains leave most valleys lit, and the light is warm already
-        e.clouds.coverage = 0.35f;
+        e.clouds.coverage = 0.15f; // so low a sun finds few gaps between more
         e.fog = {.density = 0.00022f, .height = 200, .base = own.fog.base, .shafts = 1};
-        e.grading.temperature = 6000;
         e.exposure = 4.5f;
         break;
     case Preset::Dusk:
@@ -119,7 +118,8 @@ Environment withPreset(const Environment& own, Preset preset)
         e.fog = {.density = 0.0002f, .height = 150, .base = own.fog.base, .shafts = 1};
         e.wind.speed = 1.5f;
         e.grading.temperature = 5200; // as a camera set for daylight sees it: the hour is blue
-        e.grading.tint = -0.4f;
+        e.grading.tint = -0.5f;
+        e.grading.saturation = 0.85f;
         e.exposure = 5.1f;
         break;
     case Preset::Overcast:
@@ -159,7 +159,7 @@ Environment withPreset(const Environment& own, Preset preset)
         e.fog = {.density = 0.0002f, .height = 90, .base = own.fog.base, .shafts = 1};
         e.wind.speed = 1;
         e.grading.saturation = 0.75f; // by moonlight eyes see little colour
-        e.exposure = 3.6f;
+        e.exposure = 3.9f;
         break;
     }
     return e;

@@ -387,9 +387,9 @@ TEST(TerrainTree, FollowsAPart)
 TEST(GroundHorizon, HidesWhatStandsBehindAndLowerOnly)
 {
     renderer::GroundHorizon horizon{{0, 2, 0}};
-    const auto hides = [&](glm::dvec2 from, glm::dvec2 to, double high) { return horizon.hides({.from = from, .to = to, .low = -100, .high = high}); };
+    const auto hides = [&](glm::dvec2 from, glm::dvec2 to, double high) { return horizon.hides(horizon.look({.from = from, .to = to, .low = -100, .high = high})); };
     EXPECT_FALSE(hides({-5, -80}, {5, -60}, 3));
-    horizon.add({.from = {-40, -30}, .to = {40, -20}, .low = 10, .high = 12});
+    horizon.add(horizon.look({.from = {-40, -30}, .to = {40, -20}, .low = 10, .high = 12}));
     EXPECT_TRUE(hides({-5, -80}, {5, -60}, 3));
     EXPECT_TRUE(hides({-5, -80}, {5, -60}, 11)) << "over the far corner of the wall one sees 11.6 m there";
     EXPECT_FALSE(hides({-5, -80}, {5, -60}, 19));
@@ -397,8 +397,8 @@ TEST(GroundHorizon, HidesWhatStandsBehindAndLowerOnly)
     EXPECT_FALSE(hides({-5, 60}, {5, 80}, 3)) << "behind the eye";
     EXPECT_FALSE(hides({-5, -5}, {5, 5}, 3)) << "where the eye is";
     renderer::GroundHorizon above{{0, 200, 0}}; // looks down on it
-    above.add({.from = {-40, -30}, .to = {40, -20}, .low = 10, .high = 12});
-    EXPECT_FALSE(above.hides({.from = {-5, -80}, .to = {5, -60}, .low = -100, .high = 3}));
+    above.add(above.look({.from = {-40, -30}, .to = {40, -20}, .low = 10, .high = 12}));
+    EXPECT_FALSE(above.hides(above.look({.from = {-5, -80}, .to = {5, -60}, .low = -100, .high = 3})));
 }
 
 } // namespace
