@@ -47,22 +47,26 @@ io::Camera middleOf(const editor::Document& document)
 int applyToWorld(const Options& options, editor::Document& document)
 {
     if (!options.look.empty()) {
-        io::Result<io::Environment> look = io::lookNamed(options.look, document.scene().environment(), io::KeptLooks{io::looksFolder()});
+        io::Complaints complaints;
+        io::Result<io::Environment> look =
+            io::lookNamed(options.look, document.scene().environment(), io::KeptLooks{io::looksFolder()}, complaints);
         if (!look) return misuse("--look " + look.error().text());
+        logComplaints(complaints);
         editor::setEnvironment(document, "Look of the day", *std::move(look));
     }
     if (options.time) {
         const io::Status set = editor::setProperty(document, "environment.time", double(*options.time));
         if (!set) return misuse(set.error().text());
     }
+    std::vector<editor::Property> properties;
     for (const auto& [key, value] : options.sets) {
         if (key.starts_with(kRender)) continue;
         if (!key.starts_with(kEnvironment))
             return misuse(fmt::format("--set {}: keys begin with environment. or render.", key));
-        const io::Status set = editor::setProperty(document, key, editor::valueFromText(value));
-        if (!set) return misuse(fmt::format("--set {}={}: {}", key, value, set.error().text()));
+        properties.push_back({key, editor::valueFromText(value)});
     }
-    return 0;
+    const io::Status set = editor::setProperties(document, properties);
+    return set ? 0 : misuse("--set " + set.error().text());
 }
 
 int applyToDrawing(const Options& options, renderer::Settings& drawing)

@@ -94,11 +94,13 @@ void storeCamera(Editor& e)
 
 void undo(Editor& e)
 {
-    e.document()->undo();
+    if (e.live().turning()) e.live().stopTurning(); // it is what was done last
+    else e.document()->undo();
 }
 
 std::string nextUndo(Editor& e)
 {
+    if (e.live().turning()) return e.live().turningName();
     if (!e.document() || !e.document()->history().canUndo()) return {};
     return e.document()->history().names()[e.document()->history().position() - 1];
 }
@@ -155,7 +157,7 @@ void fileActions(Actions& a, Editor& e)
     a.add({.id = "revert",
            .icon = Icon::Reset,
            .run = [&e] { askToRevert(e); },
-           .enabled = [&e] { return e.document() && e.document()->modified(); }});
+           .enabled = [&e] { return e.modified(); }});
     a.add({.id = "close",
            .icon = Icon::Home,
            .keys = ctrl(Key::W),
@@ -172,7 +174,7 @@ void editActions(Actions& a, Editor& e)
            .icon = Icon::Undo,
            .keys = ctrl(Key::Z),
            .run = [&e] { undo(e); },
-           .enabled = [&e] { return e.document() && e.document()->history().canUndo(); },
+           .enabled = [&e] { return e.document() && (e.live().turning() || e.document()->history().canUndo()); },
            .detail = [&e] { return nextUndo(e); },
            .repeats = true});
     a.add({.id = "redo",

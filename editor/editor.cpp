@@ -146,15 +146,16 @@ void Editor::adopt(std::unique_ptr<Document> document)
     chosenTemplate = io::TemplateId::None;
     inspectTemplate = false;
     int errors = 0;
+    std::string first;
     for (const io::Complaint& complaint : m_document->complaints()) {
         const bool grave = complaint.severity == io::Severity::Error;
-        errors += grave;
-        io::log::write(grave ? io::log::Level::Error : io::log::Level::Warning,
-                       complaint.where + ": " + complaint.what);
+        const std::string text = complaint.where + ": " + complaint.what;
+        if (grave && errors++ == 0) first = text;
+        io::log::write(grave ? io::log::Level::Error : io::log::Level::Warning, text);
     }
     io::log::info("{}",
                   trf("message.opened", m_document->project().name, grouped(m_document->scene().objects().size())));
-    if (errors) m_toasts.add(io::log::Level::Warning, trf("message.opened_with_errors", errors));
+    if (errors) m_toasts.add(io::log::Level::Warning, errors == 1 ? first : trf("message.opened_with_errors", errors));
 }
 
 void Editor::closeProject()
@@ -170,13 +171,14 @@ bool Editor::save()
 {
     if (!m_document) return false;
     endEdit();
+    m_live.finish(*m_document);
     const auto report = m_document->save();
     if (!report) {
         io::log::error("{}", report.error().text());
         m_dialogs.showMessage(tr("message.cannot_save"), report.error().text());
         return false;
     }
-    m_toasts.add(io::log::Level::Info, trf("message.saved", report->written.size(), byteText(report->bytes)));
+    sayWhatWasSaved(*report);
     return true;
 }
 
@@ -184,6 +186,7 @@ bool Editor::saveAs(const std::filesystem::path& folder)
 {
     if (!m_document) return false;
     endEdit();
+    m_live.finish(*m_document);
     const auto report = m_document->saveAs(folder);
     if (!report) {
         io::log::error("{}", report.error().text());
@@ -191,13 +194,25 @@ bool Editor::saveAs(const std::filesystem::path& folder)
         return false;
     }
     m_host.addRecentProject(m_document->project().folder);
-    m_toasts.add(io::log::Level::Info, trf("message.saved", report->written.size(), byteText(report->bytes)));
+    sayWhatWasSaved(*report);
     return true;
+}
+
+void Editor::sayWhatWasSaved(const io::FileTransaction::Report& report)
+{
+    m_toasts.add(io::log::Level::Info, trf("message.saved", report.written.size(), byteText(report.bytes)));
+    if (m_live.dayRuns()) m_toasts.add(io::log::Level::Info, tr("message.saved_while_day_runs"));
+}
+
+bool Editor::modified() const
+{
+    return m_document && (m_document->modified() || m_live.turning());
 }
 
 void Editor::revert()
 {
     endEdit();
+    m_live.stopTurning();
     const io::Status done = m_document->reload();
     if (!done) return m_dialogs.showMessage(tr("message.cannot_open"), done.error().text());
     m_selection.clear();
@@ -208,7 +223,7 @@ std::string Editor::title() const
 {
     if (!m_document) return "Wold";
     return fmt::format("{} – {}{} – Wold", m_document->project().name, m_document->world().entry.name,
-                       m_document->modified() ? " *" : "");
+                       modified() ? " *" : "");
 }
 
 void Editor::requestClose()
@@ -277,6 +292,7 @@ void Editor::closeMenusByEscape()
 {
     if (!pressed(Key::Escape) || m_dialogs.any() || m_groundDialogs.any() || ImGui::GetIO().WantTextInput) return;
     if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, true);
+    else if (!m_viewport.sculpting && m_viewport.placing() == io::TemplateId::None) m_live.stopTurning();
 }
 
 void Editor::drawWindow()

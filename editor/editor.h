@@ -50,6 +50,7 @@ public:
     bool saveAs(const std::filesystem::path& folder);
     void revert(); // to what is on disk
 
+    bool modified() const;     // against what is on disk; a look that is still coming counts
     std::string title() const; // "Valley – main * – Wold"
     void requestClose();       // as by the window's cross: asks when there are unsaved changes
     bool wantsClose() const { return m_wantsClose; }
@@ -102,6 +103,7 @@ private:
     bool adoptOpened(Loading::Opened opened);
     void addPanels();
     void restoreSettings();
+    void sayWhatWasSaved(const io::FileTransaction::Report& report);
     void closeMenusByEscape();
     void drawWindow();
     void endEdit();

@@ -1,5 +1,6 @@
 #include "editor/field_ui.h"
 
+#include "editor/numbers_text.h"
 #include "editor/search_text.h"
 #include "editor/text.h"
 #include "editor/widgets.h"
@@ -9,6 +10,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
+#include <limits>
+#include <utility>
 
 namespace editor {
 namespace {
@@ -19,6 +22,7 @@ std::string shownUnit(std::string_view unit)
 {
     if (unit == "deg") return "°";
     if (unit == "1e-6/m") return "10⁻⁶/m";
+    if (unit == "x") return "×";
     if (unit == "texels") return tr("unit.texels");
     return std::string{unit};
 }
@@ -30,19 +34,29 @@ int decimalsFor(const io::Hint& hint, bool whole)
     return range <= 2 ? 3 : range <= 50 || range > ui::kOpenRange ? 2 : 1;
 }
 
-double speedFor(const io::Hint& hint, bool whole, double value)
+constexpr double kShare = 0.01;     // of the value, or of a usual one, that a pixel of dragging changes
+constexpr double kFieldWidth = 200; // pixels in which a drag crosses the whole range at most
+
+// Of what is never far from anything in its range: shares, angles, hours.
+bool isEven(const io::Hint& hint)
 {
-    if (hint.max - hint.min <= ui::kOpenRange) return whole && hint.max - hint.min < 100 ? 0.04 : 0;
-    if (whole) return std::max(1.0, std::abs(value) * 0.005); // what is less than one would be rounded away
-    if (std::string_view{hint.unit} == "deg") return 0.5;
-    if (std::string_view{hint.unit} == "m") return 0.05;
-    return std::max(0.005, std::abs(value) * 0.005); // a factor
+    const bool small = hint.max - hint.min <= 2 && hint.style != io::Style::Logarithmic;
+    return small || std::string_view{hint.unit} == "h";
 }
 
-std::string clockText(double hours)
+double speedFor(const io::Hint& hint, bool whole, double value, double usual)
 {
-    const int minutes = int(std::lround(hours * 60)) % (24 * 60);
-    return fmt::format("{}:{:02}", minutes / 60, minutes % 60);
+    const double range = hint.max - hint.min;
+    const bool open = range > ui::kOpenRange;
+    if (whole && !open) return range < 100 ? 0.04 : 0;
+    if (whole) return std::max(1.0, std::abs(value) * 0.005); // what is less than one would be rounded away
+    const double most = open ? std::numeric_limits<double>::max() : range / kFieldWidth;
+    if (std::string_view{hint.unit} == "deg") return std::min(0.5, most);
+    if (open && std::string_view{hint.unit} == "m") return 0.05;
+    if (isEven(hint)) return 0;
+    double size = std::max(std::abs(value), std::abs(usual));
+    if (size == 0) size = open ? 0.5 : std::min(range / 10, 10.0);
+    return std::min(size * kShare, most);
 }
 
 } // namespace
@@ -58,31 +72,52 @@ struct FieldUi::Row {
 bool FieldUi::beginSection(const char* key)
 {
     const std::string id = m_options.prefix + m_path + key;
-    if (m_options.filter.empty()) ImGui::Dummy({0, 2});
-    if (m_options.filter.empty() && !ui::section(id.c_str(), tr("section." + id))) return false;
+    if (m_options.filter.empty()) {
+        ImGui::Dummy({0, 2});
+        if (!ui::section(id.c_str(), tr("section." + id))) return false;
+    } else {
+        m_section = tr("section." + id);
+        m_headed = false;
+    }
     m_path += std::string{key} + ".";
     return true;
 }
 
 void FieldUi::endSection()
 {
+    m_section.clear();
     m_path.pop_back();
     const std::size_t dot = m_path.rfind('.');
     m_path.erase(dot == std::string::npos ? 0 : dot + 1);
 }
 
-bool FieldUi::beginRow(Row& row, const char* key, int count, std::string_view unit)
+// Each word of the filter somewhere in what a person may know the row by. The first of a section brings its name.
+bool FieldUi::matches(const Row& row, std::string_view unit)
+{
+    if (m_options.filter.empty()) return true;
+    const std::string hint = "hint." + row.key;
+    const std::string text = fmt::format("{} {} {} {} {}", m_section, row.label, row.key, unit, hasText(hint) ? tr(hint) : "");
+    if (!holdsWords(text, m_options.filter)) return false;
+    if (!m_section.empty() && !std::exchange(m_headed, true)) {
+        ImGui::Dummy({0, 2});
+        ui::heading(m_section.c_str());
+        mapItem("section", m_section, true);
+    }
+    return m_found = true;
+}
+
+bool FieldUi::beginRow(Row& row, const char* key, int count, std::string_view unit, std::string_view unitAtLabel)
 {
     row.key = m_options.prefix + m_path + key;
     row.label = tr("field." + row.key);
     row.place = m_place;
     row.count = count;
     m_place += std::size_t(count);
-    if (!holds(row.label, m_options.filter)) return false;
+    if (!matches(row, unit)) return false;
     row.enabled = !m_options.enabled || m_options.enabled(row.key);
     if (!row.enabled) ImGui::BeginDisabled();
     ImGui::PushID(row.key.c_str());
-    ui::propertyLabel(row.label, unit);
+    ui::propertyLabel(row.label, unitAtLabel);
     const std::string hint = "hint." + row.key;
     if (ImGui::IsItemHovered() && hasText(hint)) ui::tooltip(tr(hint));
     return true;
@@ -176,10 +211,11 @@ bool FieldUi::numbers(const char* key, double* values, int count, const io::Hint
 {
     Row row;
     const std::string unit = shownUnit(hint.unit);
-    if (!beginRow(row, key, count, count > 1 ? unit : "")) return false;
+    if (!beginRow(row, key, count, unit, count > 1 ? unit : "")) return false;
     const bool resets = !m_options.defaults.empty();
     for (int i = 0; i < count && resets; ++i)
         row.differs |= m_options.defaults[row.place + std::size_t(i)] != Scalar{values[i]};
+    const auto usual = [&](std::size_t place) { return resets ? std::get<double>(m_options.defaults[place]) : 0.0; };
     const float room = ImGui::GetContentRegionAvail().x - (resets ? kResetWidth : 0);
     bool changed = false;
 
@@ -204,14 +240,14 @@ bool FieldUi::numbers(const char* key, double* values, int count, const io::Hint
                             .label = label,
                             .min = hint.min,
                             .max = hint.max,
-                            .speed = speedFor(hint, whole, old),
+                            .speed = speedFor(hint, whole, old, usual(place)),
                             .decimals = decimalsFor(hint, whole),
                             .unit = count == 1 ? unit : "",
                             .logarithmic = hint.style == io::Style::Logarithmic,
                             .mixed = isMixed(place),
                             .axis = count == 3 ? i : -1,
                             .width = width,
-                            .shown = std::string_view{hint.unit} == "h" ? clockText(old) : ""},
+                            .shown = std::string_view{hint.unit} == "h" ? clockShown(old) : ""},
                            values[i], &typed)) {
                 if (whole) values[i] = std::round(values[i]);
                 const bool dragged = ImGui::IsMouseDown(ImGuiMouseButton_Left);

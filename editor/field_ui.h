@@ -15,7 +15,7 @@ struct FieldUiOptions {
     std::string prefix;                                // "template." : the labels are tr("field.template.KEY")
     std::vector<Scalar> defaults;                      // empty: no way back to them
     std::vector<bool> mixed;                           // by place; empty: none is
-    std::string filter;                                // lowered: only rows whose label holds this
+    std::string filter;                                // lowered: only rows that hold each word of it
     std::function<bool(std::string_view key)> enabled; // none: all are
     std::function<std::vector<std::string>(std::string_view key)> files; // that a text may name; none: it is typed
 };
@@ -54,11 +54,13 @@ public:
     const std::vector<ScalarChange>& changes() const { return m_changes; }
     const std::string& changedKey() const { return m_changedKey; }     // dotted, with the prefix
     const std::string& changedLabel() const { return m_changedLabel; } // for the undo step's name
+    bool found() const { return m_found || m_options.filter.empty(); }
 
 private:
     struct Row;
     bool beginSection(const char* key);
     void endSection();
+    bool matches(const Row& row, std::string_view unit);
     void skipSection(std::size_t scalars) { m_place += scalars; }
     bool choice(const char* key, const std::vector<std::string_view>& names, int& chosen);
     bool toggle(const char* key, bool& value);
@@ -66,7 +68,7 @@ private:
     bool fileChoice(const Row& row, std::vector<std::string> files, std::string& value);
     bool numbers(const char* key, double* values, int count, const io::Hint& hint, bool whole);
 
-    bool beginRow(Row& row, const char* key, int count, std::string_view unit = {});
+    bool beginRow(Row& row, const char* key, int count, std::string_view unit = {}, std::string_view unitAtLabel = {});
     void endRow(const Row& row);
     bool resetButton(const Row& row);
     bool isMixed(std::size_t place) const { return place < m_options.mixed.size() && m_options.mixed[place]; }
@@ -74,8 +76,10 @@ private:
 
     FieldUiOptions m_options;
     std::string m_path; // of the open section, "sun."
+    std::string m_section; // its name, while only what is searched for is shown
+    bool m_headed = false; // and whether that stands there
+    bool m_found = false;
     std::size_t m_place = 0;
-    bool m_sectionDrawn = false;
     std::vector<ScalarChange> m_changes;
     std::string m_changedKey, m_changedLabel;
 };

@@ -267,7 +267,7 @@ float statusBar(Editor& editor)
         mapItem("label", selectionText(editor));
         const History& history = editor.document()->history();
         const std::string last = history.canUndo() ? history.names()[history.position() - 1] : std::string{};
-        const std::string right = trf(editor.document()->modified() ? "status.unsaved" : "status.saved", last);
+        const std::string right = trf(editor.modified() ? "status.unsaved" : "status.saved", last);
         const float width = ImGui::CalcTextSize(right.c_str()).x;
         ImGui::SameLine(ImGui::GetWindowWidth() - width - 12);
         ui::softText(right);

@@ -1,4 +1,5 @@
 // Fields for numbers and colours: see widgets.h.
+#include "editor/numbers_text.h"
 #include "editor/text.h"
 #include "editor/widgets.h"
 
@@ -49,8 +50,7 @@ std::string digits(const NumberField& field, double value)
 {
     if (field.mixed) return "—";
     if (!field.shown.empty()) return field.shown;
-    if (field.logarithmic) return fmt::format("{:.4g}", value);
-    return fmt::format("{:.{}f}", value, field.decimals);
+    return numberShown(value, field.decimals, field.logarithmic);
 }
 
 void fieldText(const NumberField& field, double value, ImVec2 min, ImVec2 max)
@@ -80,16 +80,26 @@ float decoded(float colour)
     return colour <= 0.04045f ? colour / 12.92f : std::pow((colour + 0.055f) / 1.055f, 2.4f);
 }
 
+// Those that are shown are typed over. While it is dragged, enough for a pixel to be a step, with Alt too, which is a hundred times finer.
+int dragDecimals(const NumberField& field, double value, double speed)
+{
+    const std::string shown = numberShown(value, field.decimals, field.logarithmic);
+    const std::size_t point = shown.find('.');
+    const int typed = point == std::string::npos ? 0 : int(shown.size() - point) - 1;
+    const bool whole = field.decimals == 0 && !field.logarithmic;
+    if (whole || !ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1) || speed <= 0) return typed;
+    const double step = ImGui::GetIO().KeyAlt ? speed / 100 : speed;
+    return std::clamp(int(std::ceil(-std::log10(step))), typed, 9);
+}
+
 bool dragIn(const NumberField& field, float width, double& value)
 {
-    const std::string format = field.logarithmic ? "%.5g" : "%." + std::to_string(field.decimals) + "f";
-    const ImGuiSliderFlags flags =
-        field.logarithmic ? ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat : 0;
+    const double speed = dragSpeed(field, width);
+    const std::string format = "%." + std::to_string(dragDecimals(field, value, speed)) + "f";
     double edited = value;
     ImGui::PushStyleColor(ImGuiCol_Text, 0); // the digits are drawn with their unit
     ImGui::SetNextItemWidth(width);
-    const bool changed = ImGui::DragScalar(field.id, ImGuiDataType_Double, &edited, float(dragSpeed(field, width)),
-                                           &field.min, &field.max, format.c_str(), flags);
+    const bool changed = ImGui::DragScalar(field.id, ImGuiDataType_Double, &edited, float(speed), &field.min, &field.max, format.c_str());
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (!changed || !std::isfinite(edited)) return false;

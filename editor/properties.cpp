@@ -1,6 +1,7 @@
 #include "editor/properties.h"
 
 #include "io/files/json.h"
+#include "io/scene/exposure_limits.h"
 #include "io/scene/field_value.h"
 #include "io/scene/shadow_ends.h"
 
@@ -143,15 +144,6 @@ io::Status setAny(Document& document, std::string_view key, const io::Value& val
 {
     const auto [kind, rest] = cut(key);
     const std::string name = "Set " + std::string{key};
-    if (kind == "environment") {
-        io::Environment changed = document.scene().environment();
-        if (const io::Status set = io::setField(changed, rest, value); !set) return set;
-        if (rest.starts_with("shadows."))
-            if (const std::optional<io::EndFault> fault = io::endFault(changed.shadows))
-                return io::Error{{}, "shadows." + fault->key + ": " + fault->what};
-        setEnvironment(document, name, std::move(changed));
-        return {};
-    }
     if (kind == "terrain") {
         io::Terrain changed = document.scene().terrain();
         if (const io::Status set = io::setField(changed, rest, value); !set) return set;
@@ -163,6 +155,30 @@ io::Status setAny(Document& document, std::string_view key, const io::Value& val
     if (kind == "template") return setInTemplate(document, key, rest, value);
     if (kind == "object") return setObject(document, key, rest, value);
     return io::Error{{}, "keys begin with environment, terrain, camera, path, template or object"};
+}
+
+// Those of `keys` that begin with this, without it.
+std::vector<std::string_view> keysUnder(std::string_view section, const std::vector<std::string_view>& keys)
+{
+    std::vector<std::string_view> under;
+    for (const std::string_view key : keys)
+        if (key.starts_with(section)) under.push_back(key.substr(section.size()));
+    return under;
+}
+
+// What was set stays, what must be in order with it makes room; an error where both were set.
+io::Status mendOrder(io::Environment& environment, const std::vector<std::string_view>& set)
+{
+    constexpr std::string_view kShadows = "shadows.", kExposure = "auto_exposure.";
+    if (const auto keys = keysUnder(kShadows, set); !keys.empty())
+        if (const std::optional<io::EndFault> fault = io::spreadEnds(environment.shadows, keys))
+            return io::Error{"environment.shadows." + fault->key, fault->what};
+    const auto limits = keysUnder(kExposure, set);
+    const bool lowest = std::ranges::count(limits, "lowest"), highest = std::ranges::count(limits, "highest");
+    const std::optional<std::string> fault = io::limitsFault(environment.autoExposure);
+    if (fault && lowest && highest) return io::Error{"environment.auto_exposure.highest", *fault};
+    if (fault && (lowest || highest)) io::pushLimits(environment.autoExposure, limits.back());
+    return {};
 }
 
 io::Result<io::Value> getAny(const Document& document, std::string_view key)
@@ -208,8 +224,23 @@ io::Result<io::Value> getProperty(const Document& document, std::string_view key
 
 io::Status setProperty(Document& document, std::string_view key, const io::Value& value)
 {
+    if (cut(key).kind == "environment") return setProperties(document, {{std::string{key}, value}});
     const io::Status set = setAny(document, key, value);
     if (!set) return under(key, set.error());
+    return {};
+}
+
+io::Status setProperties(Document& document, const std::vector<Property>& properties)
+{
+    io::Environment changed = document.scene().environment();
+    std::vector<std::string_view> keys;
+    for (const Property& property : properties) {
+        keys.push_back(cut(property.key).rest);
+        if (const io::Status set = io::setField(changed, keys.back(), property.value); !set)
+            return under(property.key, set.error());
+    }
+    if (io::Status ordered = mendOrder(changed, keys); !ordered) return ordered;
+    if (!properties.empty()) setEnvironment(document, "Set " + properties.front().key, std::move(changed));
     return {};
 }
 

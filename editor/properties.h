@@ -5,7 +5,9 @@
 #include "editor/document.h"
 #include "io/base/value.h"
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace editor {
 
@@ -13,6 +15,13 @@ namespace editor {
 // on a command line: "on", "1.5", "1,0.9,0.8".
 io::Result<io::Value> getProperty(const Document& document, std::string_view key);
 io::Status setProperty(Document& document, std::string_view key, const io::Value& value);
+
+struct Property {
+    std::string key;
+    io::Value value;
+};
+// Several of the environment, all or none, as one step: what must be in order, as ends of cascades, is looked at when all are set.
+io::Status setProperties(Document& document, const std::vector<Property>& properties);
 
 // A value as typed on a command line: a JSON array where it is one, otherwise the text as it is.
 io::Value valueFromText(std::string_view text);

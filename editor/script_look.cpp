@@ -1,5 +1,6 @@
 #include "editor/script_commands.h"
 
+#include "io/base/log.h"
 #include "io/files/kept_looks.h"
 #include "io/scene/environment_mix.h"
 #include "io/scene/environment_presets.h"
@@ -20,8 +21,11 @@ Answer look(Script& script, Arguments& arguments)
     const double share = arguments.number("share", 1, 0, 1); // of the way there
     if (const auto fault = arguments.finish()) return *fault;
     const io::Environment& own = script.document().scene().environment();
-    io::Result<io::Environment> wanted = io::lookNamed(name, own, keptLooks());
+    io::Complaints complaints;
+    io::Result<io::Environment> wanted = io::lookNamed(name, own, keptLooks(), complaints);
     if (!wanted) return wanted.error();
+    for (const io::Complaint& complaint : complaints)
+        io::log::warning("{}: {}", complaint.where, complaint.what);
     setEnvironment(script.document(), "Look of the day", share < 1 ? io::mixed(own, *wanted, share) : *std::move(wanted));
     return io::Value::Object{{"name", name}};
 }

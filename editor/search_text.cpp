@@ -1,5 +1,6 @@
 #include "editor/search_text.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -29,6 +30,17 @@ std::string lowerCase(std::string_view text)
 bool holds(std::string_view text, std::string_view lowered)
 {
     return lowered.empty() || lowerCase(text).find(lowered) != std::string::npos;
+}
+
+bool holdsWords(std::string_view text, std::string_view lowered)
+{
+    const std::string all = lowerCase(text);
+    while (!lowered.empty()) {
+        const std::string_view word = lowered.substr(0, lowered.find(' '));
+        if (all.find(word) == std::string::npos) return false;
+        lowered.remove_prefix(std::min(word.size() + 1, lowered.size()));
+    }
+    return true;
 }
 
 } // namespace editor

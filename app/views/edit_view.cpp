@@ -131,7 +131,7 @@ void EditView::openDropped(const std::vector<fs::path>& files)
     });
     if (project == files.end()) {
         if (!files.empty()) io::log::warning("{}: only projects can be dropped here", files.front().string());
-    } else if (m_editor->document() && m_editor->document()->modified()) {
+    } else if (m_editor->modified()) {
         io::log::warning("{}: save or close the open project first", project->string());
     } else {
         m_editor->openLater(*project);

@@ -82,7 +82,7 @@ bool Dialogs::buttons(const char* accept, bool enabled)
 
 void Dialogs::askToSave(Editor& editor, std::function<void()> then)
 {
-    if (!editor.document() || !editor.document()->modified()) return then();
+    if (!editor.modified()) return then();
     m_then = std::move(then);
     m_which = Which::AskToSave;
 }

@@ -6,6 +6,7 @@
 #include "editor/search_text.h"
 #include "editor/text.h"
 #include "editor/widgets.h"
+#include "io/scene/exposure_limits.h"
 #include "io/scene/shadow_ends.h"
 
 #include <algorithm>
@@ -43,13 +44,41 @@ bool counts(const io::Environment& e, std::string_view key)
 }
 
 // An end that is dragged takes its neighbours along; those that begin to count find a place between the others.
-void keepInOrder(io::Shadows& shadows, std::string_view changedKey)
+void keepInOrder(io::Environment& environment, std::string_view changedKey)
 {
-    constexpr std::string_view kShadows = "shadows.";
+    constexpr std::string_view kShadows = "shadows.", kExposure = "auto_exposure.";
+    if (changedKey.starts_with(kExposure)) io::pushLimits(environment.autoExposure, changedKey.substr(kExposure.size()));
     if (!changedKey.starts_with(kShadows)) return;
+    io::Shadows& shadows = environment.shadows;
     const std::string_view key = changedKey.substr(kShadows.size());
     if (key == "distance" || key.starts_with("end_")) io::pushEnds(shadows, key);
     else io::spreadEnds(shadows);
+}
+
+bool isClock(std::string_view key)
+{
+    return isOneOf(key, {"time", "day_of_year", "year"});
+}
+
+// What was changed of what is shown. The hours that a running day has gone on are no part of it, unless it is the clock that was set.
+void take(const FieldUi& ui, const io::Environment& shown, io::Environment& changed)
+{
+    std::vector<ScalarChange> changes = ui.changes();
+    for (ScalarChange& change : changes)
+        change.relative = false;
+    applyChanges(changed, changes);
+    if (isClock(ui.changedKey())) {
+        changed.time = shown.time;
+        changed.dayOfYear = shown.dayOfYear;
+        changed.year = shown.year;
+    }
+    keepInOrder(changed, ui.changedKey());
+}
+
+void nothingFound()
+{
+    ui::softText(tr("common.nothing_found"));
+    mapItem("label", tr("common.nothing_found"));
 }
 
 } // namespace
@@ -72,14 +101,19 @@ void EnvironmentPanel::draw(Editor& editor)
     FieldUi ui{std::move(options)};
     fields(ui, shown);
 
-    if (sunDragged || !ui.changes().empty()) editor.live().goOnFrom(shown);
+    if (!ui.found()) nothingFound();
+    if (!sunDragged && ui.changes().empty()) return;
+    editor.live().settle(document); // a step of its own, so that undo takes back this edit alone
+    io::Environment changed = document.scene().environment();
     if (sunDragged) {
+        changed.sun = shown.sun;
         editor.beginEdit("environment.sun", tr("undo.sun"));
-        setEnvironment(document, tr("undo.sun"), std::move(shown));
-    } else if (!ui.changes().empty()) {
-        keepInOrder(shown.shadows, ui.changedKey());
+        setEnvironment(document, tr("undo.sun"), std::move(changed));
+    } else {
+        take(ui, shown, changed);
+        if (isClock(ui.changedKey())) editor.live().goOnFrom(changed);
         editor.beginEdit("environment." + ui.changedKey(), trf("undo.edit", ui.changedLabel()));
-        setEnvironment(document, ui.changedLabel(), std::move(shown));
+        setEnvironment(document, ui.changedLabel(), std::move(changed));
     }
 }
 

@@ -35,15 +35,36 @@ std::vector<std::string> ownLooks()
     return io::KeptLooks{io::looksFolder()}.names();
 }
 
+// Of a file with many faults the first few; the console has all.
+void say(Editor& editor, const io::Complaints& complaints)
+{
+    constexpr std::size_t kMost = 3;
+    for (std::size_t i = 0; i < complaints.size(); ++i) {
+        const std::string text = complaints[i].where + ": " + complaints[i].what;
+        if (i < kMost) editor.toasts().add(io::log::Level::Warning, text);
+        else io::log::warning("{}", text);
+    }
+}
+
 } // namespace
 
 void LookRow::choose(Editor& editor, const std::string& name)
 {
     Document& document = *editor.document();
-    const auto look = io::lookNamed(name, document.scene().environment(), io::KeptLooks{io::looksFolder()});
+    io::Complaints complaints;
+    const auto look = io::lookNamed(name, document.scene().environment(), io::KeptLooks{io::looksFolder()}, complaints);
     if (!look) return editor.toasts().add(io::log::Level::Error, look.error().text());
+    say(editor, complaints);
     m_chosen = name;
+    m_look = *look;
     editor.live().turnInto(document, *look, m_seconds, tr("undo.look"));
+}
+
+// Undo, redo and edits come and go: the row names the chosen look while the scene has its light, or is getting it.
+bool LookRow::stillChosen(Editor& editor) const
+{
+    const io::Environment& own = editor.document()->scene().environment();
+    return editor.live().turning() || io::withLook(own, m_look) == own;
 }
 
 void LookRow::draw(Editor& editor)
@@ -54,7 +75,7 @@ void LookRow::draw(Editor& editor)
     if (!m_own) m_own = ownLooks();
     const LookNames looks = lookNames(*m_own);
     int chosen = 0;
-    if (const auto at = std::ranges::find(looks.names, m_chosen); at != looks.names.end()) chosen = int(at - looks.names.begin());
+    if (const auto at = std::ranges::find(looks.names, m_chosen); at != looks.names.end() && stillChosen(editor)) chosen = int(at - looks.names.begin());
     ImGui::SetNextItemWidth(std::max(ImGui::GetContentRegionAvail().x - rest, 60.0f));
     if (ui::combo("##look", tr("environment.look"), looks.shown, chosen) && chosen > 0) choose(editor, looks.names[std::size_t(chosen)]);
     if (ImGui::IsItemClicked()) m_own = ownLooks();
@@ -64,7 +85,7 @@ void LookRow::draw(Editor& editor)
     if (ImGui::IsItemHovered()) ui::tooltip(tr("environment.over_tip"));
     ImGui::SameLine();
     if (ui::iconButton({.id = "keep_look", .icon = Icon::Save, .label = tr("environment.keep")})) {
-        m_name.clear();
+        m_name = isOwn(m_chosen) ? m_chosen : std::string{}; // most likely that one again, as it is now
         ImGui::OpenPopup("keep look");
     }
     keepLook(editor);
@@ -75,27 +96,35 @@ void LookRow::draw(Editor& editor)
         editor.live().runDay(document, !runs);
 }
 
+bool LookRow::isOwn(const std::string& name) const
+{
+    return m_own && std::ranges::find(*m_own, name) != m_own->end();
+}
+
 void LookRow::keepLook(Editor& editor)
 {
     if (!ImGui::BeginPopup("keep look")) return;
-    io::KeptLooks kept{io::looksFolder()};
+    io::KeptLooks looks{io::looksFolder()};
     ImGui::SetNextItemWidth(220);
-    ui::textField("##name", tr("environment.look_name"), m_name);
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    const bool entered = ui::textField("##name", tr("environment.look_name"), m_name, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     const auto close = [&](const io::Status& done) {
         if (!done) return editor.toasts().add(io::log::Level::Error, done.error().text());
         m_own = ownLooks();
         ImGui::CloseCurrentPopup();
     };
-    if (ui::button("keep", tr("environment.keep_now"), ui::Emphasis::Accent)) {
+    const bool there = isOwn(m_name);
+    const bool kept = ui::button("keep", there ? tr("environment.replace") : tr("environment.keep_now"), ui::Emphasis::Accent);
+    if (kept || entered) {
         const io::Environment& own = editor.document()->scene().environment();
-        const io::Status done = kept.save(m_name, editor.live().shown(own).value_or(own));
-        if (done) m_chosen = m_name;
+        const io::Environment look = editor.live().shown(own).value_or(own);
+        const io::Status done = looks.save(m_name, look);
+        if (done) m_chosen = m_name, m_look = look;
         close(done);
     }
-    const std::string& meant = m_name.empty() ? m_chosen : m_name;
-    if (std::ranges::find(*m_own, meant) != m_own->end()) {
+    if (there) {
         ImGui::SameLine();
-        if (ui::button("remove", trf("environment.remove", meant).c_str())) close(kept.remove(meant));
+        if (ui::button("remove", trf("environment.remove", m_name).c_str())) close(looks.remove(m_name));
     }
     ImGui::EndPopup();
 }

@@ -1,6 +1,7 @@
 #include "io/files/documents.h"
 
 #include "io/files/headed_file.h"
+#include "io/scene/exposure_limits.h"
 #include "io/scene/shadow_ends.h"
 
 #include <algorithm>
@@ -29,6 +30,14 @@ void checkShadows(Shadows& shadows, const std::string& name, std::string_view te
     spreadEnds(shadows);
 }
 
+void checkExposure(AutoExposure& exposure, const std::string& name, std::string_view text, Complaints& complaints)
+{
+    const std::optional<std::string> fault = limitsFault(exposure);
+    if (!fault) return;
+    complaints.push_back({Severity::Error, whereIs(name, text, "auto_exposure", "highest"), "auto_exposure.highest: " + *fault});
+    pushLimits(exposure, "lowest");
+}
+
 } // namespace
 
 Result<ProjectBody> readProjectText(std::string text, const std::string& name, Complaints& complaints)
@@ -39,7 +48,9 @@ Result<Environment> readEnvironmentText(std::string text, const std::string& nam
 {
     const std::string kept = text;
     Result<Environment> environment = readHeadedText<Environment>(std::move(text), name, "wold-environment", complaints);
-    if (environment) checkShadows(environment->shadows, name, kept, complaints);
+    if (!environment) return environment;
+    checkShadows(environment->shadows, name, kept, complaints);
+    checkExposure(environment->autoExposure, name, kept, complaints);
     return environment;
 }
 Result<Template> readTemplateText(std::string text, const std::string& name, Complaints& complaints)

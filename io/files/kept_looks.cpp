@@ -14,9 +14,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestName = 80; // bytes
 
+// However it is written: on some disks, and to a person, "Dawn" is "dawn".
 bool isPreset(std::string_view name)
 {
-    return std::ranges::count(enumNames(Preset{}), name) > 0;
+    const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; };
+    return std::ranges::any_of(enumNames(Preset{}), [&](std::string_view preset) { return std::ranges::equal(name, preset, {}, small); });
 }
 
 } // namespace
@@ -33,20 +35,20 @@ std::vector<std::string> KeptLooks::names() const
 
 Result<fs::path> KeptLooks::fileOf(const std::string& name) const
 {
+    if (name.empty()) return Error{{}, "a look needs a name"};
     const bool plain = std::ranges::none_of(name, [](unsigned char c) { return c < ' ' || c == '/' || c == '\\'; });
-    if (name.empty() || name.size() > kLongestName || name.front() == '.' || !plain)
+    if (name.size() > kLongestName || name.front() == '.' || !plain)
         return Error{name, "is no name for a look: write up to 80 letters without / or \\, not beginning with a dot"};
     if (isPreset(name)) return Error{name, "is one of Wold's own looks: choose another name"};
     return m_folder / (name + ".json");
 }
 
-Result<Environment> KeptLooks::read(const std::string& name) const
+Result<Environment> KeptLooks::read(const std::string& name, Complaints& complaints) const
 {
     const Result<fs::path> file = fileOf(name);
     if (!file) return file.error();
     Result<std::string> text = readFile(*file);
     if (!text) return text.error();
-    Complaints complaints;
     return readEnvironmentText(*std::move(text), file->string(), complaints);
 }
 
@@ -66,7 +68,7 @@ Status KeptLooks::remove(const std::string& name)
     return Error{file->string(), fault ? "cannot be removed: " + fault.message() : "is not there"};
 }
 
-Result<Environment> lookNamed(const std::string& name, const Environment& own, const KeptLooks& kept)
+Result<Environment> lookNamed(const std::string& name, const Environment& own, const KeptLooks& kept, Complaints& complaints)
 {
     const auto presets = enumNames(Preset{});
     if (const auto at = std::ranges::find(presets, name); at != presets.end()) return withPreset(own, Preset(at - presets.begin()));
@@ -79,7 +81,7 @@ Result<Environment> lookNamed(const std::string& name, const Environment& own, c
             all += ", " + one;
         return Error{name, "is no look; there are " + all};
     }
-    const Result<Environment> look = kept.read(name);
+    const Result<Environment> look = kept.read(name, complaints);
     if (!look) return look.error();
     return withLook(own, *look);
 }

@@ -35,6 +35,12 @@ std::string templateFile(std::string_view name)
     return "templates/" + std::string{name} + ".json";
 }
 
+// Where a file that cannot be read goes before another is written in its place.
+std::string setAside(const std::string& file)
+{
+    return file + ".bad";
+}
+
 Result<fs::path> projectFolder(const fs::path& project)
 {
     std::error_code error;
@@ -86,8 +92,7 @@ void readTemplates(World& world, Complaints& complaints)
             scene.exchange(id, std::move(*read));
             world.templateFiles[name] = bytes;
         } else
-            complaints.push_back(
-                {Severity::Error, read.error().where, read.error().what + "; its objects stay empty places"});
+            complaints.push_back({Severity::Error, read.error().where, read.error().what + "; its objects stay empty places until it is mended"});
     }
 }
 
@@ -106,8 +111,9 @@ void readEnvironment(World& world, Complaints& complaints)
     if (read)
         world.scene.exchange(std::move(*read));
     else
-        complaints.push_back(
-            {Severity::Error, read.error().where, read.error().what + "; the usual light is shown instead"});
+        complaints.push_back({Severity::Error, read.error().where,
+                              read.error().what + "; the usual light is shown instead: mend the file and open the project again" +
+                                  (text ? ", or change the light, and Save keeps the file as " + setAside(world.environmentFile) : "")});
 }
 
 // A template without a value was deleted if its file was read, else the file is missing or damaged.
@@ -142,7 +148,8 @@ ProjectBody bodyOf(const World& world)
 }
 
 // Adds a small file unless the one on disk says the same in other words: what a person laid out by hand, or cannot
-// be read and was not changed since, stays as it is. Answers the fingerprint of what then is on the disk.
+// be read and was not changed since, stays as it is. What cannot be read is set aside before it is written over.
+// Answers the fingerprint of what then is on the disk.
 template <class T, class Read>
 std::uint64_t addIfChanged(FileTransaction& transaction, const fs::path& folder, const std::string& file, const T& value,
                   std::string text, Read read)
@@ -150,9 +157,12 @@ std::uint64_t addIfChanged(FileTransaction& transaction, const fs::path& folder,
     Complaints ignored;
     Result<std::string> old = readProjectFile(folder, file);
     if (old && *old != text) {
-        const std::uint64_t bytes = fingerprint(*old);
-        const Result<T> parsed = read(std::move(*old), file, ignored);
-        if ((parsed ? *parsed : T{}) == value) return bytes;
+        const Result<T> parsed = read(*old, file, ignored);
+        if ((parsed ? *parsed : T{}) == value) return fingerprint(*old);
+        if (!parsed) {
+            log::warning("{}; the file is kept as {}", parsed.error().text(), shown(folder, setAside(file)));
+            transaction.add(setAside(file), *std::move(old));
+        }
     }
     const std::uint64_t bytes = fingerprint(text);
     transaction.add(file, std::move(text));

@@ -63,13 +63,13 @@ void fields(auto& v, Of<Moon> auto& m)
 
 void fields(auto& v, Of<Sky> auto& s)
 {
-    v("rayleigh", s.rayleigh, Hint{.min = 0, .max = 200, .unit = "1e-6/m"});
-    v("rayleigh_height", s.rayleighHeight, Hint{.min = 100, .max = 50000, .unit = "m"});
-    v("mie_scattering", s.mieScattering, Hint{.min = 0, .max = 200, .unit = "1e-6/m"});
-    v("mie_extinction", s.mieExtinction, Hint{.min = 0, .max = 250, .unit = "1e-6/m"});
-    v("mie_height", s.mieHeight, Hint{.min = 50, .max = 20000, .unit = "m"});
+    v("rayleigh", s.rayleigh, Hint{.min = 0, .max = 200, .unit = "1e-6/m", .style = Style::Logarithmic});
+    v("rayleigh_height", s.rayleighHeight, Hint{.min = 100, .max = 50000, .unit = "m", .style = Style::Logarithmic});
+    v("mie_scattering", s.mieScattering, Hint{.min = 0, .max = 200, .unit = "1e-6/m", .style = Style::Logarithmic});
+    v("mie_extinction", s.mieExtinction, Hint{.min = 0, .max = 250, .unit = "1e-6/m", .style = Style::Logarithmic});
+    v("mie_height", s.mieHeight, Hint{.min = 50, .max = 20000, .unit = "m", .style = Style::Logarithmic});
     v("mie_g", s.mieG, Hint{.min = -0.99, .max = 0.99});
-    v("ozone", s.ozone, Hint{.min = 0, .max = 50, .unit = "1e-6/m"});
+    v("ozone", s.ozone, Hint{.min = 0, .max = 50, .unit = "1e-6/m", .style = Style::Logarithmic});
     v("ground_albedo", s.groundAlbedo, Hint{.min = 0, .max = 1});
     v("planet_radius", s.planetRadius, Hint{.min = 100, .max = 100000, .unit = "km"});
     v("air_depth", s.airDepth, Hint{.min = 10, .max = 1000, .unit = "km"});
@@ -81,13 +81,13 @@ void fields(auto& v, Of<Sky> auto& s)
 void fields(auto& v, Of<Clouds> auto& c)
 {
     v("coverage", c.coverage, Hint{.min = 0, .max = 1});
-    v("altitude", c.altitude, Hint{.min = 100, .max = 20000, .unit = "m"});
+    v("altitude", c.altitude, Hint{.min = 100, .max = 20000, .unit = "m", .style = Style::Logarithmic});
     v("softness", c.softness, Hint{.min = 0.01, .max = 1});
     v("speed", c.speed, Hint{.min = 0, .max = 200, .unit = "m/s"});
     v("direction", c.direction, Hint{.min = -360, .max = 360, .unit = "deg"});
     v("size", c.size, Hint{.min = 500, .max = 200000, .unit = "m", .style = Style::Logarithmic});
     v("change", c.change, Hint{.min = 0, .max = 100});
-    v("thickness", c.thickness, Hint{.min = 10, .max = 10000, .unit = "m"});
+    v("thickness", c.thickness, Hint{.min = 10, .max = 10000, .unit = "m", .style = Style::Logarithmic});
     v("density", c.density, Hint{.min = 0, .max = 1, .unit = "1/m", .style = Style::Logarithmic});
     v("shadow", c.shadow, Hint{.min = 0, .max = 1});
     v("seed", c.seed, Hint{.min = 0, .max = 1e6});
@@ -95,8 +95,8 @@ void fields(auto& v, Of<Clouds> auto& c)
 
 void fields(auto& v, Of<Weather> auto& w)
 {
-    v("rain", w.rain, Hint{.min = 0, .max = 200, .unit = "mm/h"});
-    v("snow", w.snow, Hint{.min = 0, .max = 200, .unit = "mm/h"});
+    v("rain", w.rain, Hint{.min = 0, .max = 50, .unit = "mm/h", .style = Style::Logarithmic});
+    v("snow", w.snow, Hint{.min = 0, .max = 10, .unit = "mm/h", .style = Style::Logarithmic});
 }
 
 void fields(auto& v, Of<Wind> auto& w)
@@ -122,22 +122,22 @@ void fields(auto& v, Of<Water> auto& w)
     v("colour", w.colour, Hint{.min = 0, .max = 4, .style = Style::Colour});
     v("clarity", w.clarity, Hint{.min = 0.05, .max = 200, .unit = "m", .style = Style::Logarithmic});
     v("waves", w.waves, Hint{.min = 0, .max = 20, .unit = "m"});
-    v("wavelength", w.wavelength, Hint{.min = 0.5, .max = 500, .unit = "m"});
+    v("wavelength", w.wavelength, Hint{.min = 0.5, .max = 500, .unit = "m", .style = Style::Logarithmic});
     v("foam", w.foam, Hint{.min = 0, .max = 1});
 }
 
 void fields(auto& v, Of<Shadows> auto& s)
 {
     v("cascades", s.cascades, Hint{.min = 1, .max = 6});
-    v("distance", s.distance, Hint{.min = 10, .max = 5000, .unit = "m"});
+    v("distance", s.distance, Hint{.min = 10, .max = 5000, .unit = "m", .style = Style::Logarithmic});
     v("splits", s.splits, Hint{});
     v("lambda", s.lambda, Hint{.min = 0, .max = 1});
-    v("end_1", s.end1, Hint{.min = 1, .max = 5000, .unit = "m"});
-    v("end_2", s.end2, Hint{.min = 1, .max = 5000, .unit = "m"});
-    v("end_3", s.end3, Hint{.min = 1, .max = 5000, .unit = "m"});
-    v("end_4", s.end4, Hint{.min = 1, .max = 5000, .unit = "m"});
-    v("end_5", s.end5, Hint{.min = 1, .max = 5000, .unit = "m"});
-    v("resolution", s.resolution, Hint{.min = 256, .max = 8192});
+    v("end_1", s.end1, Hint{.min = 1, .max = 5000, .unit = "m", .style = Style::Logarithmic});
+    v("end_2", s.end2, Hint{.min = 1, .max = 5000, .unit = "m", .style = Style::Logarithmic});
+    v("end_3", s.end3, Hint{.min = 1, .max = 5000, .unit = "m", .style = Style::Logarithmic});
+    v("end_4", s.end4, Hint{.min = 1, .max = 5000, .unit = "m", .style = Style::Logarithmic});
+    v("end_5", s.end5, Hint{.min = 1, .max = 5000, .unit = "m", .style = Style::Logarithmic});
+    v("resolution", s.resolution, Hint{.min = 256, .max = 8192, .unit = "texels"});
     v("filter", s.filter, Hint{});
     v("softness", s.softness, Hint{.min = 0, .max = 4});
     v("contact", s.contact, Hint{});
@@ -183,7 +183,7 @@ void fields(auto& v, Of<Environment> auto& e)
     v("year", e.year, Hint{.min = 1900, .max = 2100});
     v("latitude", e.latitude, Hint{.min = -90, .max = 90, .unit = "deg"});
     v("longitude", e.longitude, Hint{.min = -180, .max = 180, .unit = "deg"});
-    v("day_speed", e.daySpeed, Hint{.min = 0, .max = 86400, .style = Style::Logarithmic});
+    v("day_speed", e.daySpeed, Hint{.min = 0, .max = 86400, .unit = "x", .style = Style::Logarithmic});
     v("exposure", e.exposure, Hint{.min = -20, .max = 20, .unit = "EV"});
     v("auto_exposure", e.autoExposure, Hint{});
     v("sun", e.sun, Hint{});

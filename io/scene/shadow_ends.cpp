@@ -27,6 +27,12 @@ std::string keyOf(std::size_t index, std::size_t count)
     return index + 1 == count ? "distance" : "end_" + std::to_string(index + 1);
 }
 
+EndFault faultOf(const std::vector<float*>& ends, std::size_t near, std::size_t far)
+{
+    return {keyOf(far, ends.size()),
+            numberText(*ends[far]) + " m must be beyond " + keyOf(near, ends.size()) + ", " + numberText(*ends[near]) + " m"};
+}
+
 } // namespace
 
 std::optional<EndFault> endFault(const Shadows& shadows)
@@ -36,8 +42,7 @@ std::optional<EndFault> endFault(const Shadows& shadows)
     const std::vector<float*> ends = endsOf(copy);
     for (std::size_t i = 1; i < ends.size(); ++i)
         if (!(*ends[i] > *ends[i - 1]))
-            return EndFault{keyOf(i, ends.size()), numberText(*ends[i]) + " m must be beyond " + keyOf(i - 1, ends.size()) + ", " +
-                                                       numberText(*ends[i - 1]) + " m"};
+            return faultOf(ends, i - 1, i);
     return {};
 }
 
@@ -60,20 +65,32 @@ void pushEnds(Shadows& shadows, std::string_view kept)
 
 void spreadEnds(Shadows& shadows)
 {
-    if (!endFault(shadows)) return;
+    (void)spreadEnds(shadows, {});
+}
+
+std::optional<EndFault> spreadEnds(Shadows& shadows, std::span<const std::string_view> kept)
+{
+    if (!endFault(shadows)) return {};
     const std::vector<float*> ends = endsOf(shadows);
-    const float last = *ends.back();
+    std::vector<std::size_t> fixed; // those of the keys, in their order, and the last
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        if (i + 1 == ends.size() || std::ranges::find(kept, keyOf(i, ends.size())) != kept.end()) fixed.push_back(i);
+    if (std::ranges::find(kept, "distance") == kept.end() && fixed.size() > 1)
+        *ends.back() = std::min(std::max(*ends.back(), *ends[fixed[fixed.size() - 2]] + kLeast), kFarthest);
+    for (std::size_t i = 1; i < fixed.size(); ++i)
+        if (!(*ends[fixed[i]] > *ends[fixed[i - 1]])) return faultOf(ends, fixed[i - 1], fixed[i]);
     float before = 0; // the last one that stays
     std::size_t next = 0;
     for (std::size_t i = 0; i < ends.size(); ++i) {
-        const bool stays = i + 1 == ends.size() || (*ends[i] > before && *ends[i] < last);
-        if (!stays) continue;
+        const std::size_t beyond = *std::ranges::lower_bound(fixed, i);
+        if (i != beyond && !(*ends[i] > before && *ends[i] < *ends[beyond])) continue;
         const float from = std::max(before, std::min(kLeast, *ends[i] / 2));
         for (std::size_t k = next; k < i; ++k)
             *ends[k] = from * std::pow(*ends[i] / from, float(k - next + 1) / float(i - next + 1));
         before = *ends[i];
         next = i + 1;
     }
+    return {};
 }
 
 } // namespace io

@@ -4,6 +4,7 @@
 #include "io/scene/environment.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,8 +16,10 @@ struct EndFault {
 };
 std::optional<EndFault> endFault(const Shadows& shadows); // of the ends that count; none where they come from lambda
 
-// Neither changes ends that rise already.
+// None changes ends that rise already.
 void pushEnds(Shadows& shadows, std::string_view kept); // out of the way of the one with that key, as far as needed
 void spreadEnds(Shadows& shadows); // those that do not rise lie evenly between their neighbours then, by ratio
+// The same around those of these keys, which stay, and the distance goes beyond them: a fault where they do not rise themselves.
+std::optional<EndFault> spreadEnds(Shadows& shadows, std::span<const std::string_view> kept);
 
 } // namespace io

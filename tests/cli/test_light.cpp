@@ -7,7 +7,6 @@
 #include <array>
 #include <fmt/format.h>
 #include <map>
-#include <set>
 #include <span>
 
 namespace test {
@@ -15,7 +14,6 @@ namespace {
 
 struct Field {
     std::string key, label;
-    std::size_t among = 0; // of the fields with this label
     std::vector<std::string> options; // to choose from
     double most = 0;                  // of a number
 };
@@ -35,7 +33,6 @@ struct FieldList {
             if constexpr (requires { enumNames(value); })
                 for (const std::string_view name : enumNames(value))
                     field.options.push_back(text(values, name));
-            field.among = std::size_t(std::ranges::count(all, field.label, &Field::label));
             all.push_back(field);
         }
     }
@@ -169,9 +166,9 @@ struct Light : SmallWorld {
         }
         return all;
     }
-    static std::string search(const std::string& label)
+    static std::string search(const std::string& key)
     {
-        return "{\"click\": {\"panel\": \"environment\", \"label\": \"Search settings\"}}\n{\"key\": \"Ctrl+A\"}\n{\"text\": \"" + label + "\"}\n{\"wait\": 2}\n";
+        return "{\"click\": {\"panel\": \"environment\", \"label\": \"Search settings\"}}\n{\"key\": \"Ctrl+A\"}\n{\"text\": \"" + key + "\"}\n{\"wait\": 2}\n";
     }
     static std::string use(const Field& field, const Widget& widget)
     {
@@ -205,31 +202,28 @@ const io::Value* valueAt(const io::Value& environment, std::string_view key)
 void Light::lookAndKeep(const Stage& stage, std::span<const Field> own)
 {
     const std::string settled = "{\"wait\": 3}\n{\"click\": {\"kind\": \"tab\", \"label\": \"Environment\"}}\n{\"wait\": 2}\n";
-    std::set<std::string> labels;
     std::string events = settled;
     for (const Field& field : own)
-        if (labels.insert(field.label).second) events += search(field.label) + "{\"uimap\": \"" + folder / (field.key + ".json") + "\"}\n";
+        events += search(field.key) + "{\"uimap\": \"" + folder / (field.key + ".json") + "\"}\n";
     Ran ran = wold(words(stage, events));
     ASSERT_EQ(ran.code, 0) << ran.err;
 
     std::map<std::string, io::Value> maps;
     std::string looked = settled, kept = settled, switched; // what chooses goes last: others may then have nothing to say
-    std::string last;
     for (const Field& field : own) {
-        if (const std::string map = folder / (field.key + ".json"); std::filesystem::exists(map)) maps[field.label] = json(textOf(map));
-        const std::vector<Widget> widgets = widgetsOf(maps[field.label], field.label);
-        ASSERT_GT(widgets.size(), field.among) << field.key;
-        const std::string way = (field.label == last ? "" : search(field.label)), used = use(field, widgets[field.among]);
-        last = field.label;
+        maps[field.key] = json(textOf(folder / (field.key + ".json")));
+        const std::vector<Widget> widgets = widgetsOf(maps[field.key], field.label);
+        ASSERT_FALSE(widgets.empty()) << field.key;
+        const std::string way = search(field.key), used = use(field, widgets.front());
         looked += way + "{\"shot\": \"" + folder / (field.key + "-0.png") + "\"}\n" + used + "{\"shot\": \"" + folder / (field.key + "-1.png") + "\"}\n{\"key\": \"Ctrl+Z\"}\n{\"wait\": 1}\n";
-        const bool chooses = widgets[field.among].kind == "combo" || widgets[field.among].kind == "checkbox" || field.key == "shadows.cascades";
-        (chooses ? switched : kept) += search(field.label) + used;
+        const bool chooses = widgets.front().kind == "combo" || widgets.front().kind == "checkbox" || field.key == "shadows.cascades";
+        (chooses ? switched : kept) += search(field.key) + used;
     }
     ran = wold(words(stage, looked, true));
     ASSERT_EQ(ran.code, 0) << ran.err;
     for (const Field& field : own) {
         if (showsOnlyInTime(field)) continue;
-        EXPECT_GT(changedPixels(folder / (field.key + "-0.png"), folder / (field.key + "-1.png"), viewportOf(maps[field.label])), 20) << field.key;
+        EXPECT_GT(changedPixels(folder / (field.key + "-0.png"), folder / (field.key + "-1.png"), viewportOf(maps[field.key])), 20) << field.key;
     }
     const std::string before = textOf(project + "/environments/day.json"), save = "{\"key\": \"Ctrl+S\"}\n{\"wait\": 3}\n";
     ASSERT_EQ(wold(words(stage, settled + save)).code, 0);

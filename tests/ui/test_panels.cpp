@@ -137,7 +137,7 @@ TEST(Panels, EndsOfCascadesStayInOrder)
         const ImVec2 field = rig.at(label, "number");
         rig.drag(field, {field.x + by, field.y});
     };
-    drag("End of the 1st", 60);
+    drag("End of the 1st", 250);
     EXPECT_GT(shadows().end1, 45);
     EXPECT_GT(shadows().end2, shadows().end1);
     EXPECT_GT(shadows().end3, shadows().end2);
@@ -152,6 +152,50 @@ TEST(Panels, EndsOfCascadesStayInOrder)
     rig.frame(2);
     drag("End of the 1st", 60);
     EXPECT_EQ(shadows().end1, 15);
+}
+
+TEST(Panels, SearchingSettingsFindsSectionsKeysAndUnits)
+{
+    Rig rig;
+    rig.click("Environment", "tab");
+    const auto search = [&](const char* text) {
+        rig.click("Search settings", "text");
+        rig.key(editor::ctrl(Key::A));
+        rig.type(text);
+        rig.frame(2);
+    };
+    search("fog");
+    EXPECT_TRUE(rig.has("Fog", "section"));
+    EXPECT_TRUE(rig.has("Light shafts", "number"));
+    EXPECT_FALSE(rig.has("Sun", "section"));
+    search("moon phase");
+    EXPECT_TRUE(rig.has("Moon", "section"));
+    EXPECT_TRUE(rig.has("Phase", "number"));
+    EXPECT_FALSE(rig.has("Brightness", "number"));
+    search("mie_g");
+    EXPECT_TRUE(rig.has("Haze asymmetry", "number"));
+    search("mm/h");
+    EXPECT_TRUE(rig.has("Snow", "number"));
+    search("extinction at the height"); // a hint
+    EXPECT_TRUE(rig.has("Density", "number"));
+    search("rhubarb");
+    EXPECT_TRUE(rig.has("Nothing here matches the search.", "label"));
+}
+
+// A few pixels change a value by some of its own size, however wide its range is.
+TEST(Panels, DraggingIsAsFineAsTheValue)
+{
+    Rig rig;
+    rig.click("Environment", "tab");
+    rig.click("Search settings", "text");
+    rig.type("haze");
+    rig.frame(2);
+    const float before = rig.document().scene().environment().sky.mieScattering;
+    const ImVec2 field = rig.at("Haze scattering", "number");
+    rig.drag(field, {field.x + 10, field.y});
+    const float after = rig.document().scene().environment().sky.mieScattering;
+    EXPECT_GT(after, before);
+    EXPECT_LT(after, before * 1.2f);
 }
 
 TEST(Panels, HierarchySelectsRanges)

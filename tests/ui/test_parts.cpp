@@ -106,4 +106,24 @@ TEST(NumbersText, AreGrouped)
     EXPECT_EQ(editor::byteText(0), "0 B");
 }
 
+TEST(Search, EachWordIsSomewhere)
+{
+    EXPECT_TRUE(editor::holdsWords("Moon Phase moon.phase", "phase moon"));
+    EXPECT_TRUE(editor::holdsWords("anything", " "));
+    EXPECT_FALSE(editor::holdsWords("Moon Phase", "moon size"));
+}
+
+TEST(NumbersText, ShowWhatTheyAre)
+{
+    EXPECT_EQ(editor::numberShown(0.085, 2), "0.085");
+    EXPECT_EQ(editor::numberShown(4, 1), "4.0");
+    EXPECT_EQ(editor::numberShown(0.45, 3), "0.450");
+    EXPECT_EQ(editor::numberShown(11000, 2, true), "11000");
+    EXPECT_EQ(editor::numberShown(0.00023, 2, true), "0.00023");
+    EXPECT_EQ(editor::numberShown(0, 2, true), "0");
+    EXPECT_EQ(editor::clockShown(24), "24:00");
+    EXPECT_EQ(editor::clockShown(6.0833), "6:05");
+    EXPECT_EQ(editor::clockShown(-5.5), "-5:30");
+}
+
 } // namespace

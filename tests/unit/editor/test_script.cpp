@@ -4,6 +4,7 @@
 #include "editor/properties.h"
 #include "editor/script.h"
 #include "io/files/json.h"
+#include "io/scene/shadow_ends.h"
 
 #include <gtest/gtest.h>
 
@@ -319,10 +320,49 @@ TEST(Properties, TextAsTypedOnACommandLineIsUnderstood)
     EXPECT_TRUE(setProperty(*document, "environment.time", valueFromText("6.5")));
     EXPECT_EQ(document->scene().environment().time, 6.5f);
     EXPECT_TRUE(setProperty(*document, "environment.shadows.end_1", valueFromText("60"))); // it counts for nothing yet
-    const io::Status disorder = setProperty(*document, "environment.shadows.splits", valueFromText("manual"));
-    EXPECT_EQ(disorder ? "" : disorder.error().text(), "environment.shadows.splits: shadows.end_2: 45 m must be beyond end_1, 60 m");
+    EXPECT_TRUE(setProperty(*document, "environment.shadows.splits", valueFromText("manual")));
+    EXPECT_GT(document->scene().environment().shadows.end2, 60) << "the others make room";
     EXPECT_TRUE(setProperty(*document, "object.1.name", valueFromText("17")));
     EXPECT_EQ(document->scene().at(io::ObjectId{1}).name, "17");
+}
+
+TEST(Properties, EndsOfCascadesAreSetOneByOneInAnyOrder)
+{
+    const auto document = test::forest(1, 1);
+    const auto shadows = [&]() -> const io::Shadows& { return document->scene().environment().shadows; };
+    ASSERT_TRUE(setProperty(*document, "environment.shadows.splits", "manual"));
+    ASSERT_TRUE(setProperty(*document, "environment.shadows.cascades", 6));
+    EXPECT_FALSE(io::endFault(shadows()));
+    ASSERT_TRUE(setProperty(*document, "environment.shadows.cascades", 4));
+    for (const auto& [key, metres] : {std::pair{"end_1", 60}, {"end_3", 400}, {"end_2", 170}, {"distance", 900}})
+        ASSERT_TRUE(setProperty(*document, "environment.shadows." + std::string{key}, metres)) << key;
+    EXPECT_EQ(shadows().end1, 60);
+    EXPECT_EQ(shadows().end2, 170);
+    EXPECT_EQ(shadows().end3, 400);
+    EXPECT_EQ(shadows().distance, 900);
+}
+
+TEST(Properties, SeveralOfOneCommandAreLookedAtTogether)
+{
+    const auto document = test::forest(1, 1);
+    const std::string shadows = "environment.shadows.";
+    const io::Status set = setProperties(*document, {{shadows + "end_1", "60"}, {shadows + "end_2", "170"}, {shadows + "end_3", "300"}, {shadows + "splits", "manual"}});
+    ASSERT_TRUE(set) << set.error().text();
+    EXPECT_EQ(document->scene().environment().shadows.end3, 300);
+    const io::Environment before = document->scene().environment();
+    const io::Status fault = setProperties(*document, {{"environment.time", "3"}, {shadows + "end_2", "200"}, {shadows + "end_3", "190"}});
+    EXPECT_EQ(fault ? "" : fault.error().text(), shadows + "end_3: 190 m must be beyond end_2, 200 m");
+    EXPECT_TRUE(document->scene().environment() == before);
+}
+
+TEST(Properties, LimitsOfTheExposureMakeRoomForEachOther)
+{
+    const auto document = test::forest(1, 1);
+    ASSERT_TRUE(setProperty(*document, "environment.auto_exposure.lowest", 15));
+    EXPECT_EQ(document->scene().environment().autoExposure.highest, 15);
+    const std::string exposure = "environment.auto_exposure.";
+    const io::Status fault = setProperties(*document, {{exposure + "highest", "1"}, {exposure + "lowest", "2"}});
+    EXPECT_EQ(fault ? "" : fault.error().text(), exposure + "highest: 1 EV must not be below lowest, 2 EV");
 }
 
 TEST(Script, DeletesATemplateWithItsObjectsOrRefuses)

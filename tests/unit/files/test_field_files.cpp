@@ -45,7 +45,7 @@ TEST(EnvironmentFile, ComesBackAsItWas)
     ASSERT_TRUE(back) << back.error().text();
     EXPECT_EQ(*back, environment);
     EXPECT_EQ(environmentText(*back), environmentText(environment));
-    EXPECT_EQ(listed(complaints), "e.json:26: sun.a.b: unknown key; kept as it is\n");
+    EXPECT_EQ(listed(complaints), "e.json:27: sun.a.b: unknown key; kept as it is\n");
 }
 
 TEST(EnvironmentFile, MissingKeysHaveTheirDefaults)
@@ -101,6 +101,21 @@ TEST(EnvironmentFile, EndsOfCascadesMustRise)
     EXPECT_EQ(read->shadows.end1, 60);
     EXPECT_GT(read->shadows.end2, 60) << "so that there are shadows all the same";
     EXPECT_EQ(errorsIn(complaints), 1);
+}
+
+TEST(EnvironmentFile, LimitsOfTheExposureAreInOrder)
+{
+    Complaints complaints;
+    const Result<Environment> read = readEnvironmentText(environmentWith("\"auto_exposure\": {\n\"lowest\": 12,\n\"highest\": 3}"), "e.json", complaints);
+    EXPECT_EQ(listed(complaints), "e.json:6: auto_exposure.highest: 3 EV must not be below lowest, 12 EV\n");
+    EXPECT_EQ(read->autoExposure.lowest, 12);
+    EXPECT_EQ(read->autoExposure.highest, 12);
+}
+
+TEST(EnvironmentFile, RainAndSnowGoAsFarAsTheyAct)
+{
+    EXPECT_EQ(environmentFaults(environmentWith("\"weather\": {\"rain\": 60, \"snow\": 11}")),
+              "e.json:4: weather.rain: 60 is outside 0 to 50 mm/h\ne.json:4: weather.snow: 11 is outside 0 to 10 mm/h\n");
 }
 
 TEST(EnvironmentFile, HeadersAreChecked)

@@ -259,6 +259,29 @@ TEST(Project, DamagedSmallFilesAreComplainedOfAndNotOverwritten)
     EXPECT_NE(get(folder / "project.json").find("\"box\""), std::string::npos);
 }
 
+TEST(Project, DamagedSmallFilesAreSetAsideBeforeTheyAreWrittenOver)
+{
+    const TemporaryFolder folder;
+    writeSample(folder.path());
+    const std::string environment = "{\n  \"time\": NaN\n}", box = "{ broken";
+    put(folder / "environments/day.json", environment);
+    put(folder / "templates/box.json", box);
+    Opened opened{folder.path()};
+    ASSERT_TRUE(opened.world) << opened.world.error().text();
+    const std::string said = listed(opened.complaints);
+    EXPECT_NE(said.find("day.json:2"), std::string::npos) << said;
+    EXPECT_NE(said.find("day.json.bad"), std::string::npos) << said;
+    Environment changed = opened.world->scene.environment();
+    changed.time = 20;
+    opened.world->scene.exchange(changed);
+    opened.world->scene.exchange(opened.world->scene.findTemplate("box"), Template{.name = "box", .category = "New"});
+    ASSERT_TRUE(saveWorld(*opened.world));
+    EXPECT_EQ(get(folder / "environments/day.json.bad"), environment);
+    EXPECT_EQ(get(folder / "templates/box.json.bad"), box);
+    EXPECT_EQ(Opened(folder.path()).world->scene.environment().time, 20);
+    EXPECT_TRUE(saveWorld(*opened.world)->written.empty());
+}
+
 TEST(Project, WhatCannotBeOpenedSaysWhy)
 {
     const TemporaryFolder folder;
