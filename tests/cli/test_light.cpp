@@ -54,20 +54,22 @@ struct Stage {
     std::vector<std::string_view> keys; // whole keys, or sections that end in a dot
     std::string quality = "medium";
 };
-const std::array<Stage, 10>& stages()
+const std::array<Stage, 12>& stages()
 {
-    static const std::array<Stage, 10> all{{
+    static const std::array<Stage, 12> all{{
         {{"environment.sun.mode=manual", "environment.sun.azimuth=0", "environment.sun.elevation=9", "environment.clouds.coverage=0"}, // in view
          {"sun.azimuth", "sun.elevation", "sun.angular_diameter"}},
         {{"environment.time=0", "environment.moon.mode=manual", "environment.moon.azimuth=0", "environment.moon.elevation=9", "environment.clouds.coverage=0"},
          {"moon.", "sky.stars"}},
         {{"environment.clock=zone", "environment.time_zone=1", "environment.longitude=15"}, {"clock", "time_zone", "longitude", "year"}},
-        {{"environment.shadows.splits=manual", "environment.shadows.end_1=4", "environment.shadows.end_2=8", "environment.shadows.end_3=14",
-          "environment.shadows.end_4=20", "environment.shadows.end_5=26", "environment.shadows.cascades=6", "environment.shadows.distance=40",
+        {{"environment.shadows.splits=manual", "environment.shadows.end_1=12", "environment.shadows.end_2=16", "environment.shadows.end_3=20",
+          "environment.shadows.end_4=25", "environment.shadows.end_5=30", "environment.shadows.cascades=6", "environment.shadows.distance=40",
           "environment.shadows.resolution=512", "render.ao=off"},
          {"shadows.splits", "shadows.end_", "shadows.cascades", "shadows.distance", "shadows.resolution", "shadows.fade"},
          "high"},
         {{"environment.auto_exposure.on=on", "environment.auto_exposure.highest=-1", "environment.auto_exposure.lowest=-3"}, {"auto_exposure.highest"}},
+        {{"environment.auto_exposure.on=on", "environment.auto_exposure.lowest=5"}, {"auto_exposure.lowest"}},
+        {{"environment.auto_exposure.on=on", "environment.auto_exposure.highest=20", "environment.time=0"}, {"auto_exposure.darkness"}},
         {{"environment.auto_exposure.on=on"}, {"auto_exposure."}},
         {{"environment.water.on=on", "environment.water.level=1.5", "environment.water.waves=0.5", "environment.water.wavelength=6"}, {"water."}},
         {{"render.cloud_kind=volume", "environment.clouds.coverage=0.6"}, {"clouds.thickness", "clouds.density"}},

@@ -66,7 +66,7 @@ TEST(Presets, PlaceTheSunByTheHourWhereTheDayHasOne)
     EXPECT_EQ(dawn.sun.mode, SunMode::Time);
     EXPECT_NEAR(elevation(dawn), 2.5, 0.01);
     EXPECT_LT(dawn.time, 12);
-    EXPECT_NEAR(elevation(golden), 7, 0.01);
+    EXPECT_NEAR(elevation(golden), 12, 0.01);
     EXPECT_GT(golden.time, 12);
     EXPECT_NEAR(noon.time, 12, 0.05);
     EXPECT_LT(elevation(withPreset({}, Preset::Night)), -10);
