@@ -108,7 +108,8 @@ Environment withPreset(const Environment& own, Preset preset)
         break;
     case Preset::GoldenHour:
         placeSun(e, 12, false); // mountains leave most valleys lit, and the light is warm already
-        e.clouds.coverage = 0.15f; // so low a sun finds few gaps between more
+        e.clouds.coverage = 0.15f;  // so low a sun finds few gaps between more of them,
+        e.clouds.thickness = 500;   // nor between higher ones
         e.fog = {.density = 0.00022f, .height = 200, .base = own.fog.base, .shafts = 1};
         e.exposure = 4.5f;
         break;

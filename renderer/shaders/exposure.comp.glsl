@@ -68,6 +68,6 @@ void main()
     target = clamp(target, metering.lowest, metering.highest);
     chosen.target = target;
     chosen.before = chosen.exposure;
-    chosen.ev = mix(chosen.ev, target, metering.share);
+    chosen.ev = metering.share < 1.0 ? mix(chosen.ev, target, metering.share) : target; // to the bit, whatever was before
     chosen.exposure = exp2(chosen.ev);
 }
