@@ -45,6 +45,8 @@ Environment fairWeather(const Environment& own)
     const Environment fair;
     Environment e = withLook(own, fair);
     e.sun.irradiance = own.sun.irradiance;
+    e.shadows = own.shadows;
+    e.occlusion = own.occlusion;
     e.wind.direction = own.wind.direction;
     e.clouds.direction = own.clouds.direction;
     e.clouds.seed = own.clouds.seed;
@@ -83,8 +85,6 @@ Environment withLook(const Environment& own, const Environment& look)
     e.sky.airDepth = own.sky.airDepth;
     e.sky.groundAlbedo = own.sky.groundAlbedo;
     e.water = own.water;
-    e.shadows = own.shadows;
-    e.occlusion = own.occlusion;
     e.extra = own.extra;
     return e;
 }

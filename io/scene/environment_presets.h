@@ -1,5 +1,5 @@
 // Looks of the day: named values for light, air and weather. A look says nothing of the place (where on earth, which day of
-// the year, water) and nothing of what a machine can bear (shadows), so those stay as a scene has them.
+// the year, water), so that stays as a scene has it. Those that ship say nothing of shadows and occlusion either; a person's own do.
 #pragma once
 
 #include "io/scene/environment.h"

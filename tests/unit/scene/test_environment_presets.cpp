@@ -53,6 +53,18 @@ TEST(Presets, KeepThePlaceAndWhatAMachineCanBear)
     }
 }
 
+TEST(Presets, LooksOfAPersonsOwnHaveTheirShadows)
+{
+    Environment own, look;
+    own.latitude = -33;
+    look.shadows.softness = 3;
+    look.occlusion.strength = 0.5f;
+    const Environment e = withLook(own, look);
+    EXPECT_EQ(e.latitude, -33);
+    EXPECT_TRUE(e.shadows == look.shadows);
+    EXPECT_TRUE(e.occlusion == look.occlusion);
+}
+
 TEST(Presets, DifferFromEachOther)
 {
     for (const Preset a : presets())
