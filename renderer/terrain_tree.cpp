@@ -46,13 +46,9 @@ private:
 
 namespace {
 
-struct Strays {
-    float most = 0, square = 0; // as TerrainTree's errors
-};
-
 // Measured in the middle of each edge and diagonal: smooth ground lies farthest away there, and a crease elsewhere at most twice as
 // far. Tessellated quads may be cut along either diagonal.
-template <class Heights> Strays straysWithin(const Heights& heights, int level, glm::ivec2 first)
+template <class Heights> TerrainTree::Error errorWithin(const Heights& heights, int level, glm::ivec2 first)
 {
     constexpr std::size_t kQuads = TERRAIN_QUADS;
     struct Row { // a height at every half step, those on vertices apart, for vector instructions
@@ -93,7 +89,7 @@ template <class Heights> Strays straysWithin(const Heights& heights, int level, 
 }
 
 // Vertices beyond the map's edge are drawn on it, so edges there are shorter.
-template <class Heights> Strays straysAtTheEdge(const Heights& heights, int level, glm::ivec2 first, glm::ivec2 last)
+template <class Heights> TerrainTree::Error errorAtTheEdge(const Heights& heights, int level, glm::ivec2 first, glm::ivec2 last)
 {
     const int step = 1 << level, half = step / 2;
     const glm::ivec2 end = glm::min(first + nodeSide(level), last);
@@ -210,8 +206,7 @@ template <class Heights> void TerrainTree::measureNode(const Heights& heights, i
     glm::vec2& range = own.lowHigh[indexOf(level, node)];
     const glm::ivec2 first = node * nodeSide(level);
     const bool atTheEdge = glm::any(glm::greaterThan(first + nodeSide(level), m_size - 1));
-    const Strays strays = atTheEdge ? straysAtTheEdge(heights, level, first, m_size - 1) : straysWithin(heights, level, first);
-    Error error{strays.most, strays.square};
+    Error error = atTheEdge ? errorAtTheEdge(heights, level, first, m_size - 1) : errorWithin(heights, level, first);
     range = {INFINITY, -INFINITY};
     const Level& below = m_levels[std::size_t(level) - 1];
     const glm::ivec2 last = glm::min(node * 2 + 2, below.nodes);

@@ -18,6 +18,11 @@ struct GroundNode {
 
 class TerrainTree {
 public:
+    struct Error {
+        float most = 0;   // as error()
+        float square = 0; // the mean, m²
+    };
+
     TerrainTree() = default;
     explicit TerrainTree(const io::HeightMap& heights);
 
@@ -55,10 +60,6 @@ private:
     }
     std::size_t indexOf(int level, glm::ivec2 node) const { return std::size_t(node.y) * nodes(level).x + node.x; }
 
-    struct Error {
-        float most = 0;   // as error()
-        float square = 0; // the mean, m²
-    };
     struct Level {
         glm::ivec2 nodes{0};
         std::vector<glm::vec2> lowHigh; // m

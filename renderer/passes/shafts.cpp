@@ -53,7 +53,7 @@ void addShafts(Viewpoint& viewpoint, const io::Fog& fog, const Settings& setting
     viewpoint.shaftConstants = {.sun = glm::vec2{sun.place},
                                 .strength = float(fog.shafts * (volume ? 1.0 : sun.strength)),
                                 .range = float(std::clamp(end * kRange, kLeastRange, kMostRange)),
-                                 .clouds = clouded ? fog.shafts : 0};
+                                .clouds = clouded ? fog.shafts : 0};
 }
 
 ShaftsPass::ShaftsPass(ShaderLibrary& shaders) : m_shaders{shaders} {}
@@ -92,7 +92,9 @@ void ShaftsPass::lookAtScreen(GpuFrame& gpu, const GBuffer& surfaces, bool cloud
         m_smallTarget = gl::Framebuffer{{.label = "shafts", .colours = {&m_small}}};
     }
     m_smallTarget.bind();
-    gpu.fullScreen(m_shaders.fullScreen("shafts_screen", clouded ? std::vector<std::string>{"CLOUD_SHADOWS"} : std::vector<std::string>{}), {}, {{GBUFFER_DEPTH_UNIT, &surfaces.depth}});
+    std::vector<std::string> defines;
+    if (clouded) defines.emplace_back("CLOUD_SHADOWS");
+    gpu.fullScreen(m_shaders.fullScreen("shafts_screen", std::move(defines)), {}, {{GBUFFER_DEPTH_UNIT, &surfaces.depth}});
     gpu.bind({{SHAFTS_UNIT, &m_small}});
 }
 
