@@ -8,31 +8,6 @@
 namespace app {
 namespace {
 
-// A setting that a later release brings, and what is true without it.
-struct Coming {
-    std::string_view key, now;
-};
-constexpr std::array<Coming, 1> kComing{{{"grass", "off"}}};
-
-const Coming* coming(std::string_view key)
-{
-    for (const Coming& one : kComing)
-        if (one.key == key) return &one;
-    return nullptr;
-}
-
-// The words of a value that a person may have typed, or written in a script as true or false.
-std::string wordOf(const io::Value& value)
-{
-    if (const bool* on = value.asBool()) return *on ? "on" : "off";
-    return value.asString() ? *value.asString() : std::string{};
-}
-
-io::Error later(std::string_view key, std::string_view value, std::string_view now)
-{
-    return {fmt::format("render.{}={}", key, value), fmt::format("comes with a later release; now it is {}", now)};
-}
-
 // Software drawing pays for each triangle and each texel of the shadow maps, so that is what is spared.
 struct Tier {
     Quality quality;
@@ -44,11 +19,13 @@ struct Tier {
     int skyPixels;
     bool halfOcclusion, froxels;
     renderer::CloudKind clouds;
+    int mostBlades;
+    float grassDistance, grassDensity; // m; share
 };
-constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, 3.5f, 1.5f, renderer::AntiAliasing::Off, false, 4, true, false, renderer::CloudKind::Layer},
-                                      {Quality::Medium, 4, 1024, 350, 3.0f, 1.5f, renderer::AntiAliasing::Fxaa, false, 4, true, false, renderer::CloudKind::Layer},
-                                      {Quality::High, 6, 2048, 1000, 1, 1, renderer::AntiAliasing::Fxaa, true, 1, false, true, renderer::CloudKind::Volume},
-                                      {Quality::Ultra, 6, 8192, 1e6f, 0.6f, 1, renderer::AntiAliasing::Fxaa, true, 1, false, true, renderer::CloudKind::Volume}}};
+constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, 3.5f, 1.5f, renderer::AntiAliasing::Off, false, 4, true, false, renderer::CloudKind::Layer, 8000, 35, 0.6f},
+                                      {Quality::Medium, 4, 1024, 350, 3.0f, 1.5f, renderer::AntiAliasing::Fxaa, false, 4, true, false, renderer::CloudKind::Layer, 20'000, 60, 1},
+                                      {Quality::High, 6, 2048, 1000, 1, 1, renderer::AntiAliasing::Fxaa, true, 1, false, true, renderer::CloudKind::Volume, 200'000, 110, 1},
+                                      {Quality::Ultra, 6, 8192, 1e6f, 0.6f, 1, renderer::AntiAliasing::Fxaa, true, 1, false, true, renderer::CloudKind::Volume, 500'000, 160, 1}}};
 
 // What a tier needs, a second. A frame of 1280x720 draws half a million triangles for the camera and each cascade.
 struct Need {
@@ -63,11 +40,6 @@ constexpr std::array<Need, 3> kNeeds{{{Quality::Ultra, 1e9, 3e12, 2e10},
 
 io::Status setDrawing(renderer::Settings& settings, std::string_view key, const io::Value& value)
 {
-    const std::string word = wordOf(value);
-    if (const Coming* one = coming(key)) {
-        if (word == one->now || (one->now == "off" && (word == "false" || word == "0"))) return {};
-        return later(key, word, one->now);
-    }
     const io::Status set = io::setField(settings, key, value);
     if (!set) return io::Error{"render." + set.error().where, set.error().what};
     return {};
@@ -75,7 +47,6 @@ io::Status setDrawing(renderer::Settings& settings, std::string_view key, const 
 
 io::Result<io::Value> getDrawing(const renderer::Settings& settings, std::string_view key)
 {
-    if (const Coming* one = coming(key)) return io::Value{one->now};
     return io::getField(settings, key);
 }
 
@@ -107,6 +78,9 @@ Quality applyQuality(Quality quality, std::string_view device, renderer::Setting
         settings.wind = tier.wind;
         settings.skyPixels = tier.skyPixels;
         settings.halfOcclusion = tier.halfOcclusion;
+        settings.mostBlades = tier.mostBlades;
+        settings.grassDistance = tier.grassDistance;
+        settings.grassDensity = tier.grassDensity;
         settings.froxels = tier.froxels && !drawsInSoftware(device);
         settings.cloudKind = drawsInSoftware(device) ? renderer::CloudKind::Layer : tier.clouds;
         // Cheap where a card cuts triangles, dear where a processor does; what shows is the same.

@@ -180,7 +180,7 @@ float fading(const Brush& brush, float away)
 
 std::optional<HeightPatch> dabOn(const io::HeightMap& map, const Brush& brush, const Dab& dab)
 {
-    EXPECTS(brush.tool != BrushTool::Ramp && !paints(brush.tool) && brush.radius > 0);
+    EXPECTS(brush.tool != BrushTool::Ramp && shapes(brush.tool) && brush.radius > 0);
     HeightPatch patch;
     const auto ground = under(map, dab.centre - double(brush.radius), dab.centre + double(brush.radius), marginOf(brush, map.metresPerTexel), patch);
     if (!ground) return std::nullopt;

@@ -4,6 +4,7 @@
 
 #include "io/scene/cover_map.h"
 #include "io/scene/fields.h"
+#include "io/scene/grass.h"
 #include "io/scene/height_map.h"
 
 #include <array>
@@ -15,13 +16,13 @@
 
 namespace editor {
 
-enum class BrushTool { Raise, Lower, Smooth, Flatten, Ramp, Terrace, Noise, Erode, Slump, Stamp, Paint, Erase, Replace, Hole };
+enum class BrushTool { Raise, Lower, Smooth, Flatten, Ramp, Terrace, Noise, Erode, Slump, Stamp, Paint, Erase, Replace, Hole, Grow, Mow, GrassHeight };
 enum class BrushCurve { Smooth, Linear, Dome, Point }; // how a dab fades between its full part and its edge
 enum class BrushNoise { Simplex, Fbm, Ridged };
 
 constexpr auto enumNames(BrushTool)
 {
-    return std::array<std::string_view, 14>{"raise", "lower", "smooth", "flatten", "ramp", "terrace", "noise", "erode", "slump", "stamp", "paint", "erase", "replace", "hole"};
+    return std::array<std::string_view, 17>{"raise", "lower", "smooth", "flatten", "ramp", "terrace", "noise", "erode", "slump", "stamp", "paint", "erase", "replace", "hole", "grow", "mow", "grass_height"};
 }
 constexpr auto enumNames(BrushCurve) { return std::array<std::string_view, 4>{"smooth", "linear", "dome", "point"}; }
 constexpr auto enumNames(BrushNoise) { return std::array<std::string_view, 3>{"simplex", "fbm", "ridged"}; }
@@ -44,12 +45,18 @@ struct Brush {
     float rotation = 0;              // degrees, of a stamp
     int layer = 0;                   // that is painted, of the terrain's
     int replaced = 0;                // in whose place
+    int kind = 0;                    // of grass, that is grown or mown
+    bool everyKind = false;          // mows all of them
+    float density = 1;               // share of the kind's own that is grown
+    float height = 1;                // factor of the kinds' own
     std::string stampFile;           // of the project, as "textures/crater.png"
     std::shared_ptr<const io::HeightGrid> stamp; // 0..1, its sides as long as the brush is wide; null: none
     bool operator==(const Brush&) const = default;
 };
 
-constexpr bool paints(BrushTool tool) { return tool >= BrushTool::Paint; } // the cover; the others shape heights
+constexpr bool growsGrass(BrushTool tool) { return tool >= BrushTool::Grow; } // its map
+constexpr bool paints(BrushTool tool) { return tool >= BrushTool::Paint && !growsGrass(tool); } // the cover
+constexpr bool shapes(BrushTool tool) { return tool < BrushTool::Paint; } // heights
 
 // Those that this tool uses; layers are chosen by name.
 void fields(auto& v, io::Of<Brush> auto& b)
@@ -68,6 +75,9 @@ void fields(auto& v, io::Of<Brush> auto& b)
     if (b.tool == Slump) v("talus", b.talus, io::Hint{.min = 5, .max = 80, .unit = "deg"});
     if (b.tool == Stamp) v("stamp", b.stampFile, io::Hint{});
     if (b.tool == Stamp) v("rotation", b.rotation, io::Hint{.min = -180, .max = 180, .unit = "deg"});
+    if (b.tool == Grow) v("density", b.density, io::Hint{.min = 0.01, .max = 1});
+    if (b.tool == Grow || b.tool == GrassHeight) v("height", b.height, io::Hint{.min = 0.05, .max = 1.99});
+    if (b.tool == Mow) v("every_kind", b.everyKind, io::Hint{});
     v("slope", b.slope, io::Hint{.min = 0, .max = 90, .unit = "deg"});
     v("altitude", b.altitude, io::Hint{.min = -1e5, .max = 1e5, .unit = "m"});
 }
@@ -86,7 +96,7 @@ struct HeightPatch {
     io::TexelRect rect() const { return {at, at + heights.size}; }
 };
 
-struct CoverPatch {
+struct CoverPatch { // of the cover, or of the map of grass
     glm::ivec2 at{0}, size{0};
     std::vector<std::uint32_t> texels;
     io::TexelRect rect() const { return {at, at + size}; }
@@ -101,6 +111,10 @@ std::optional<HeightPatch> dabOn(const io::HeightMap& map, const Brush& brush, c
 // The tool paints. `everywhere`: not only under the brush, but where its slopes and heights let it.
 std::optional<CoverPatch> paintOn(const io::HeightMap& map, const io::CoverMap& cover, const Brush& brush, const Dab& dab, bool everywhere = false);
 io::Cover painted(io::Cover cover, BrushTool tool, int layer, int replaced, float share); // one texel
+
+// The tool grows grass.
+std::optional<CoverPatch> growOn(const io::HeightMap& map, const io::GrassMap& grass, const Brush& brush, const Dab& dab, bool everywhere = false);
+io::GrassCover grown(io::GrassCover cover, const Brush& brush, float share); // one texel
 
 // An even way from one point of the ground to another, as wide as the brush.
 std::optional<HeightPatch> rampOn(const io::HeightMap& map, const Brush& brush, const glm::dvec3& from, const glm::dvec3& to, float amount);

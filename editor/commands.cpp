@@ -22,6 +22,10 @@ std::size_t heldBy(const io::Terrain& terrain)
 {
     return heldBy(terrain.heightMap) + heldBy(terrain.layers);
 }
+std::size_t heldBy(const io::Grass& grass)
+{
+    return heldBy(grass.map) + heldBy(grass.kinds);
+}
 
 const io::Environment& current(const io::Scene& scene, const io::Environment&)
 {
@@ -30,6 +34,10 @@ const io::Environment& current(const io::Scene& scene, const io::Environment&)
 const io::Terrain& current(const io::Scene& scene, const io::Terrain&)
 {
     return scene.terrain();
+}
+const io::Grass& current(const io::Scene& scene, const io::Grass&)
+{
+    return scene.grass();
 }
 std::span<const io::Camera> current(const io::Scene& scene, const std::vector<io::Camera>&)
 {
@@ -56,6 +64,10 @@ io::Changes changesOf(const io::Environment&)
 io::Changes changesOf(const io::Terrain&)
 {
     return {.terrain = true};
+}
+io::Changes changesOf(const io::Grass&)
+{
+    return {.grass = true};
 }
 template <class T> io::Changes changesOf(const std::vector<T>&)
 {
@@ -149,6 +161,7 @@ template <class Part> bool SwapPart<Part>::absorb(Command& later)
 
 template class SwapPart<io::Environment>;
 template class SwapPart<io::Terrain>;
+template class SwapPart<io::Grass>;
 template class SwapPart<std::vector<io::Camera>>;
 template class SwapPart<std::vector<io::CameraPath>>;
 
@@ -162,6 +175,10 @@ const std::shared_ptr<const io::CoverMap>& currentMap(const io::Scene& scene, co
 {
     return scene.cover();
 }
+const std::shared_ptr<const io::GrassMap>& currentMap(const io::Scene& scene, const io::GrassMap*)
+{
+    return scene.grassMap();
+}
 const io::TexelTiles<float>& fieldOf(const io::HeightMap& map)
 {
     return map.field();
@@ -169,6 +186,10 @@ const io::TexelTiles<float>& fieldOf(const io::HeightMap& map)
 const io::CoverMap& fieldOf(const io::CoverMap& map)
 {
     return map;
+}
+const io::TexelTiles<std::uint32_t>& fieldOf(const io::GrassMap& map)
+{
+    return map.field();
 }
 io::HeightMap withField(const io::HeightMap& map, io::TexelTiles<float> field)
 {
@@ -178,6 +199,10 @@ io::CoverMap withField(const io::CoverMap&, io::CoverMap field)
 {
     return field;
 }
+io::GrassMap withField(const io::GrassMap& map, io::TexelTiles<std::uint32_t> field)
+{
+    return map.with(std::move(field));
+}
 io::Changes changesOf(const io::HeightMap*, const io::TexelRect& rect)
 {
     return {.heights = {rect}};
@@ -185,6 +210,10 @@ io::Changes changesOf(const io::HeightMap*, const io::TexelRect& rect)
 io::Changes changesOf(const io::CoverMap*, const io::TexelRect& rect)
 {
     return {.cover = {rect}};
+}
+io::Changes changesOf(const io::GrassMap*, const io::TexelRect& rect)
+{
+    return {.grassMap = {rect}};
 }
 
 // Where the ground lies may have been changed by another command of the same step.
@@ -194,6 +223,11 @@ void placeAs(const io::HeightMap& now, std::shared_ptr<const io::HeightMap>& oth
         other = std::make_shared<const io::HeightMap>(other->placed(now.metresPerTexel, now.origin));
 }
 void placeAs(const io::CoverMap&, std::shared_ptr<const io::CoverMap>&) {}
+void placeAs(const io::GrassMap& now, std::shared_ptr<const io::GrassMap>& other)
+{
+    if (now.metresPerTexel != other->metresPerTexel || now.origin != other->origin)
+        other = std::make_shared<const io::GrassMap>(other->field(), now.metresPerTexel, now.origin);
+}
 
 template <class Map> bool sameShape(const Map* a, const Map* b)
 {
@@ -206,6 +240,10 @@ bool sameKind(const io::HeightMap& a, const io::HeightMap& b)
     return a.shares == b.shares;
 }
 bool sameKind(const io::CoverMap&, const io::CoverMap&)
+{
+    return true;
+}
+bool sameKind(const io::GrassMap&, const io::GrassMap&)
 {
     return true;
 }
@@ -301,6 +339,7 @@ template <class Map> void SwapGround<Map>::pack(const io::World& world)
 
 template class SwapGround<io::HeightMap>;
 template class SwapGround<io::CoverMap>;
+template class SwapGround<io::GrassMap>;
 
 void Composite::pack(const io::World& world)
 {

@@ -44,7 +44,7 @@ private:
     std::optional<io::Template> m_other;
 };
 
-// A part of which a scene has one: Environment, Terrain, std::vector<Camera> or std::vector<CameraPath>.
+// A part of which a scene has one: Environment, Terrain, Grass, std::vector<Camera> or std::vector<CameraPath>.
 template <class Part> class SwapPart final : public Command {
 public:
     SwapPart(std::string name, Part value) : Command{std::move(name)}, m_other{std::move(value)} {}
@@ -59,10 +59,11 @@ private:
 
 using SwapEnvironment = SwapPart<io::Environment>;
 using SwapTerrain = SwapPart<io::Terrain>;
+using SwapGrass = SwapPart<io::Grass>;
 using SwapCameras = SwapPart<std::vector<io::Camera>>;
 using SwapPaths = SwapPart<std::vector<io::CameraPath>>;
 
-// A field of the ground, io::HeightMap or io::CoverMap: a stroke of a brush, or another map altogether. Until it is packed it
+// A field of the ground, io::HeightMap, io::CoverMap or io::GrassMap: a stroke of a brush, or another map altogether. Until it is packed it
 // holds the other map, which has in common with the scene's what did not change; then only the bits in which the touched
 // tiles differ.
 template <class Map> class SwapGround final : public Command {
@@ -92,6 +93,7 @@ private:
 
 using SwapHeights = SwapGround<io::HeightMap>;
 using SwapCover = SwapGround<io::CoverMap>;
+using SwapGrassMap = SwapGround<io::GrassMap>;
 
 // Several commands, already done, as one step. Those that cannot absorb each other touch different things, so the
 // order in which they are swapped does not matter.

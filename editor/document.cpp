@@ -130,6 +130,11 @@ void setCover(Document& document, std::string name, std::shared_ptr<const io::Co
     document.run(std::make_unique<SwapCover>(std::move(name), std::move(cover), changed));
 }
 
+void setGrassMap(Document& document, std::string name, std::shared_ptr<const io::GrassMap> map, const io::TexelRect& changed)
+{
+    document.run(std::make_unique<SwapGrassMap>(std::move(name), std::move(map), changed));
+}
+
 void setCameras(Document& document, std::string name, std::vector<io::Camera> cameras)
 {
     document.run(std::make_unique<SwapCameras>(std::move(name), std::move(cameras)));

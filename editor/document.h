@@ -63,6 +63,7 @@ public:
     std::shared_ptr<const io::HeightMap> readHeights(const io::Terrain& terrain);
 
     std::shared_ptr<const io::CoverMap> readCover(const io::Terrain& terrain); // likewise, for the heights that are there
+    std::shared_ptr<const io::GrassMap> readGrassMap(const io::Grass& grass);  // likewise
 
     // Reads the model of a template again, as after its file changed.
     void reloadModel(io::TemplateId id);
@@ -143,6 +144,9 @@ void setTerrain(Document& document, std::string name, io::Terrain terrain);
 // `changed`: where they differ from the scene's.
 void setHeights(Document& document, std::string name, std::shared_ptr<const io::HeightMap> heights, const io::TexelRect& changed);
 void setCover(Document& document, std::string name, std::shared_ptr<const io::CoverMap> cover, const io::TexelRect& changed);
+// Another file of the map is read.
+void setGrass(Document& document, std::string name, io::Grass grass);
+void setGrassMap(Document& document, std::string name, std::shared_ptr<const io::GrassMap> map, const io::TexelRect& changed);
 void setCameras(Document& document, std::string name, std::vector<io::Camera> cameras);
 void setPaths(Document& document, std::string name, std::vector<io::CameraPath> paths);
 void setTemplate(Document& document, std::string name, io::TemplateId id, std::optional<io::Template> value);

@@ -138,6 +138,25 @@ std::shared_ptr<const io::CoverMap> Document::readCover(const io::Terrain& terra
     return cover;
 }
 
+std::shared_ptr<const io::GrassMap> Document::readGrassMap(const io::Grass& grass)
+{
+    const std::size_t before = m_complaints.size();
+    auto map = io::readGrassMap(m_world, grass, m_complaints);
+    if (map) m_world.grassFiles[grass.map] = map;
+    logComplaints(m_complaints, before);
+    return map;
+}
+
+void setGrass(Document& document, std::string name, io::Grass grass)
+{
+    const bool otherFile = grass.map != document.scene().grass().map;
+    const Gesture gesture{document, name};
+    document.run(std::make_unique<SwapGrass>(name, grass));
+    if (!otherFile) return;
+    const auto read = document.readGrassMap(grass);
+    setGrassMap(document, name, read, read ? read->field().rect() : io::TexelRect{});
+}
+
 void setTerrain(Document& document, std::string name, io::Terrain terrain)
 {
     const io::Terrain before = document.scene().terrain();
@@ -205,6 +224,7 @@ io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::
     const auto templateFilesBefore = m_world.templateFiles;
     const auto heightFilesBefore = m_world.heightFiles;
     const auto coverFilesBefore = m_world.coverFiles;
+    const auto grassFilesBefore = m_world.grassFiles;
     const io::Terrain terrainBefore = m_world.scene.terrain();
     const std::uint64_t savedBefore = m_savedState;
     m_world.project.folder = half;
@@ -222,6 +242,7 @@ io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::
         m_world.templateFiles = templateFilesBefore;
         m_world.heightFiles = heightFilesBefore;
         m_world.coverFiles = coverFilesBefore;
+        m_world.grassFiles = grassFilesBefore;
         m_world.scene.exchange(terrainBefore);
         m_savedState = savedBefore;
         fs::remove_all(half, fault);

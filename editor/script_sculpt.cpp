@@ -32,7 +32,7 @@ Answer sculpt(Script& script, Arguments& arguments)
     const auto at = arguments.pair("at"), to = arguments.pair("to");
     if (!at) arguments.fail("needs \"at\"");
     if (brush.tool == BrushTool::Ramp && !to) arguments.fail("a ramp needs \"to\"");
-    if (paints(brush.tool)) arguments.fail("layers are painted by \"do\":\"paint\"");
+    if (!shapes(brush.tool)) arguments.fail("layers are painted by \"do\":\"paint\", grass by \"do\":\"grass\"");
     brush.radius = float(arguments.number("radius", double(brush.radius), 0.01, 1e5));
     const double strength = arguments.number("strength", 1, -1e5, 1e5);
     brush.falloff = float(arguments.number("falloff", 1, 0, 1));
@@ -103,7 +103,44 @@ Answer paint(Script& script, Arguments& arguments)
     return io::Value::Object{{"texels", io::Value::Array{patch->size.x, patch->size.y}}};
 }
 
-constexpr ScriptCommand kCommands[] = {{"sculpt", sculpt}, {"paint", paint}};
+int grassNamed(Script& script, Arguments& arguments)
+{
+    const io::Value* value = arguments.value("kind");
+    const auto& kinds = script.document().scene().grass().kinds;
+    const std::string* name = value ? value->asString() : nullptr;
+    const auto found = std::ranges::find_if(kinds, [&](const io::GrassKind& kind) { return name && kind.name == *name; });
+    if (found == kinds.end()) arguments.fail("kind: is no kind of grass of this scene");
+    return int(found - kinds.begin());
+}
+
+// One dab of grass as one step; "tool" mow or grass_height in place of grow.
+Answer growGrass(Script& script, Arguments& arguments)
+{
+    Brush brush{.tool = BrushTool::Grow};
+    brush.tool = named(arguments, "tool", brush.tool);
+    if (!growsGrass(brush.tool)) arguments.fail("tool: must be grow, mow or grass_height");
+    brush.everyKind = brush.tool == BrushTool::Mow && !arguments.has("kind");
+    if (brush.tool == BrushTool::Grow || arguments.has("kind")) brush.kind = grassNamed(script, arguments);
+    const auto at = arguments.pair("at");
+    const bool everywhere = arguments.flag("everywhere", false);
+    if (!at && !everywhere) arguments.fail("needs \"at\", or \"everywhere\": true");
+    brush.radius = float(arguments.number("radius", double(brush.radius), 0.01, 1e5));
+    brush.falloff = float(arguments.number("falloff", 0, 0, 1));
+    brush.density = float(arguments.number("density", 1, 0, 1));
+    brush.height = float(arguments.number("height", 1, 0.05, 1.99));
+    brush.slope = glm::vec2{arguments.pair("slope").value_or(glm::dvec2{brush.slope})};
+    brush.altitude = glm::vec2{arguments.pair("altitude").value_or(glm::dvec2{brush.altitude})};
+    const auto strength = float(arguments.number("strength", 1, 0, 1));
+    const io::Scene& scene = script.document().scene();
+    if (!scene.heights()) arguments.fail("this scene has no ground");
+    if (const auto fault = arguments.finish()) return *fault;
+    const auto patch = growOn(*scene.heights(), grassMapOf(scene), brush, {.centre = at.value_or(glm::dvec2{0}), .amount = strength}, everywhere);
+    if (!patch) return io::Error{{}, "there is no ground there"};
+    changeGrassMap(script.document(), "Grass", *patch);
+    return io::Value::Object{{"texels", io::Value::Array{patch->size.x, patch->size.y}}};
+}
+
+constexpr ScriptCommand kCommands[] = {{"sculpt", sculpt}, {"paint", paint}, {"grass", growGrass}};
 
 } // namespace
 

@@ -28,12 +28,13 @@ std::int64_t cellOf(double metres)
 
 BrushTool toolWith(BrushTool tool, const StrokeKeys& keys)
 {
-    if (keys.smooths && !paints(tool)) return BrushTool::Smooth;
+    if (keys.smooths && shapes(tool)) return BrushTool::Smooth;
     if (!keys.inverted) return tool;
     switch (tool) {
     case BrushTool::Raise: return BrushTool::Lower;
     case BrushTool::Lower: return BrushTool::Raise;
     case BrushTool::Paint: return BrushTool::Erase;
+    case BrushTool::Grow: return BrushTool::Mow;
     default: return tool;
     }
 }
@@ -97,7 +98,7 @@ void Stroke::dab(const glm::dvec2& at)
     if (!map) return;
     float amount = amountOf(m_brush);
     if (m_keys.inverted && (m_brush.tool == BrushTool::Noise || m_brush.tool == BrushTool::Stamp || m_brush.tool == BrushTool::Hole)) amount = -amount;
-    if (paints(m_brush.tool)) return paint({.centre = at, .amount = amount});
+    if (!shapes(m_brush.tool)) return paint({.centre = at, .amount = amount});
     const auto patch = dabOn(*map, m_brush, {.centre = at, .amount = amount, .level = m_level, .number = m_dabs++});
     if (patch) change(*patch);
 }
@@ -105,6 +106,10 @@ void Stroke::dab(const glm::dvec2& at)
 void Stroke::paint(const Dab& dab)
 {
     const io::Scene& scene = m_document.scene();
+    if (growsGrass(m_brush.tool)) {
+        if (const auto patch = growOn(*scene.heights(), grassMapOf(scene), m_brush, dab)) changeGrassMap(m_document, m_name, *patch);
+        return;
+    }
     if (const auto patch = paintOn(*scene.heights(), coverOf(scene), m_brush, dab)) changeCover(m_document, m_name, *patch);
 }
 

@@ -204,7 +204,7 @@ void Viewport::drawHints(Editor& editor) const
         pill({middle, bottom}, trf("viewport.placing", name), palette::kText, true, Icon::Place);
     } else if (sculpting) {
         const std::string tool = tr("brush." + std::string{enumNames(brush.tool)[std::size_t(brush.tool)]});
-        pill({middle, bottom}, paints(brush.tool) ? trf("viewport.painting", tool, double(brush.radius)) : trf("viewport.sculpting", tool, double(brush.radius)), palette::kText, true, Icon::Terrain);
+        pill({middle, bottom}, !shapes(brush.tool) ? trf("viewport.painting", tool, double(brush.radius)) : trf("viewport.sculpting", tool, double(brush.radius)), palette::kText, true, Icon::Terrain);
     } else if (m_drag == Drag::Gizmo) {
         pill({middle, bottom}, tr("viewport.dragging"), palette::kText, true);
     }

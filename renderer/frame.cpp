@@ -73,11 +73,13 @@ Picture Renderer::State::render(const FrameInput& in)
     clouds.update(gpu, cloudy, in.settings.cloudKind);
     skyTables.update(gpu, viewpoint.light, viewpoint.heavens, cloudy);
     scenery.terrain.aim(viewpoint.eye, viewpoint.culledFor, in.settings.lod ? in.settings.lodPixels : 1.0f);
+    if (in.settings.grass && scenery.grass.present()) scenery.footprints.update(scenery.world, scenery.terrain, viewpoint.eye.position);
     lamps.render(gpu, scenery, viewpoint, in.settings);
     shadow.render(gpu, scenery, viewpoint, in.settings);
     if (exposesItself(in.settings, viewpoint)) exposure.bind(gpu, viewpoint.view);
     else exposure.forget();
     const GeometryPass::Drawn drawn = drawSurfaces(gpu, in, viewpoint);
+    grass.render(gpu, geometry.framebuffer(), scenery, viewpoint, environment, in.pressers, in.settings);
     const GBuffer& surfaces = geometry.finish();
 
     const bool lit = needsLight(in.show);

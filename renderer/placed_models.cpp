@@ -93,6 +93,7 @@ void PlacedModels::place(InstancePlace at, const Placement& placement)
     const std::uint32_t number = isDirect() ? 0 : std::uint32_t(placement.model);
     glsl::Instance instance = instanceOf(transform, placement.id);
     glsl::CullRecord record = cullRecord(centre, radius, number, flags);
+    record.templateId = io::number(placement.templateId);
     if (placement.wind > 0 && model.bounds.max.y > 0) {
         m_sets[at.set]->models.letSway(int(number));
         const float height = model.bounds.max.y * size.y;

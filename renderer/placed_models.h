@@ -17,6 +17,7 @@ struct Placement {
     int model = -1; // of registerModel()
     io::Transform transform;
     io::ObjectId id = io::ObjectId::None;
+    io::TemplateId templateId = io::TemplateId::None;
     std::uint32_t flags = 0; // CULL_CASTS_SHADOW, CULL_MARKER
     float wind = 0;          // how freely it sways, 0..1
 };
@@ -54,6 +55,12 @@ public:
                            std::vector<DrawList>& lists) const;
 
     std::vector<const InstanceTree*> trees() const;
+    // visit(instance, record) for each whose box touches this one.
+    template <class Visit> void touching(const io::WorldBox& box, Visit&& visit) const
+    {
+        for (const auto& set : m_sets)
+            if (set) set->instances.tree().touching(box, [&](const InstanceTree::Item& item) { visit(set->instances.record(item.value), set->instances.cullRecord(item.value)); });
+    }
     std::size_t instances() const;
     std::size_t models() const; // held now
     bool blends() const;        // some model has parts that do

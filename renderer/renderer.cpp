@@ -47,7 +47,7 @@ io::Image readTexture(const gl::Texture& texture, int channels, io::PixelType ty
 } // namespace
 
 Renderer::State::State(const Options& options)
-    : debug{options.debug}, shaders{options.shaders}, impostors{shaders, options.kept}, chooser{shaders}, pyramid{shaders}, clouds{shaders}, skyTables{shaders}, shadow{shaders}, geometry{shaders},
+    : debug{options.debug}, shaders{options.shaders}, impostors{shaders, options.kept}, chooser{shaders}, pyramid{shaders}, clouds{shaders}, skyTables{shaders}, shadow{shaders}, geometry{shaders}, grass{shaders},
       lamps{shaders}, occlusion{shaders}, lighting{shaders}, sky{shaders}, shafts{shaders}, water{shaders}, transparent{shaders}, particles{shaders},
       precipitation{shaders}, temporal{shaders}, exposure{shaders}, bloom{shaders}, toneMap{shaders}, smoothing{shaders}, show{shaders},
       overlay{shaders}, thumbnails{shaders}
@@ -75,6 +75,7 @@ void Renderer::update(const io::Scene& scene, const io::Assets& assets, const io
     scenery.terrain.update(scene, assets, changes);
     scenery.world.update(scene, assets, changes);
     scenery.lamps.update(scene, changes);
+    scenery.grass.update(scene, changes);
     scenery.particles.update(scene, changes);
     if (changes.everything) {
         m_state->thumbnails.forgetAll();

@@ -35,6 +35,14 @@ struct Ghost {
     io::Transform transform;
 };
 
+// Something that presses grass aside where it stands: a player, a wheel.
+struct Presser {
+    glm::dvec3 position{0}; // m, of its foot
+    float radius = 0.5f;    // m
+    float strength = 1;     // 1 lays grass flat, 0 not at all; below 0 it swings back over
+};
+constexpr std::size_t kMostPressers = 16; // more are left out
+
 struct FrameInput {
     io::Camera camera;
     glm::ivec2 size{1280, 720}; // pixels, each at least 1
@@ -45,6 +53,7 @@ struct FrameInput {
     std::span<const io::ObjectId> selection; // tinted violet and outlined
     std::span<const Ghost> ghosts;
     std::span<const Line> lines;
+    std::span<const Presser> pressers;
     bool markers = true;        // draw the boxes of templates without a model
     bool ids = true;            // keep whose each pixel is, for readIds; surfaces are drawn a little faster without
     // What the first frame with this culled stays culled while the camera flies on; its view is drawn as lines.
@@ -77,6 +86,8 @@ struct FrameStats {
     bool occlusionTested = false;          // else none are known to be hidden
     bool cullingFrozen = false;
     bool gathering = false;                // the next frame of the same view would be smoother: --set render.aa=taa
+    std::uint64_t grassDrawn = 0;          // blades and plants, of a frame a little earlier
+    std::uint64_t grassLeftOut = 0;        // beyond the most that may be drawn
     std::array<std::uint64_t, 8> trianglesOfLevel{}; // of objects by level of detail
     std::uint64_t uploadedBytes = 0;       // what the frame handed to the GPU: records, commands, constants
     std::uint64_t gpuBytes = 0;            // buffers and textures of ours

@@ -3,6 +3,8 @@
 
 #include "io/scene/environment.h"
 #include "renderer/eye.h"
+#include "renderer/footprint_mask.h"
+#include "renderer/grass.h"
 #include "renderer/ground_shadow.h"
 #include "renderer/heavens.h"
 #include "renderer/lamps.h"
@@ -23,6 +25,8 @@ struct Scenery {
     CullTable cullTable;
     Terrain terrain;
     GroundShadow groundShadow;
+    Grass grass;
+    FootprintMask footprints;
     ParticleSources particles;
     io::Environment environment;
 };

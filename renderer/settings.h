@@ -16,6 +16,7 @@ enum class Shading { Pbr, BlinnPhong };
 enum class SkyFrom { Tables, Integral }; // many scatterings by tables, or one by a numerical integral for each pixel
 enum class CloudKind { Layer, Volume };
 enum class GroundStages { Tessellation, Grid }; // how the ground's vertices are made
+enum class GrassFrom { Blades, Seeds }; // a grid fixed to the world, or points that the ground's pixels give (the original's way)
 enum class Culler { Auto, Cpu, Gpu }; // auto: the GPU where there is one
 
 struct Settings {
@@ -50,6 +51,12 @@ struct Settings {
     int skyPixels = 1;   // pixels along a side of one of the sky's, but for sun and stars; set by --quality
 
     bool halfOcclusion = false; // occlusion at half the resolution; set by --quality
+    bool grass = true;
+    GrassFrom grassMethod = GrassFrom::Blades;
+    int mostBlades = 20'000; // in view, of all kinds; set by --quality
+    float grassDistance = 60; // m, to which grass is drawn; set by --quality
+    float grassDensity = 1;   // share of what is painted that is drawn near the eye; set by --quality
+
     bool froxels = false;       // shafts through a volume of shadowed fog rather than on the screen; set by --quality
 
     // Caps on the shadows that a scene asks for: what a machine can bear, set by --quality.
@@ -61,6 +68,7 @@ struct Settings {
 
 constexpr auto enumNames(AntiAliasing) { return std::array<std::string_view, 4>{"off", "fxaa", "smaa", "taa"}; }
 constexpr auto enumNames(SkyFrom) { return std::array<std::string_view, 2>{"tables", "integral"}; }
+constexpr auto enumNames(GrassFrom) { return std::array<std::string_view, 2>{"blades", "seeds"}; }
 constexpr auto enumNames(CloudKind) { return std::array<std::string_view, 2>{"layer", "volume"}; }
 constexpr auto enumNames(ToneMap) { return std::array<std::string_view, 4>{"agx", "neutral", "aces", "reinhard"}; }
 constexpr auto enumNames(Culler) { return std::array<std::string_view, 3>{"auto", "cpu", "gpu"}; }
@@ -83,6 +91,11 @@ void fields(auto& v, io::Of<Settings> auto& s)
     v("particles", s.particles, io::Hint{});
     v("ao", s.ao, io::Hint{});
     v("half_ao", s.halfOcclusion, io::Hint{});
+    v("grass", s.grass, io::Hint{});
+    v("grass_method", s.grassMethod, io::Hint{});
+    v("most_blades", s.mostBlades, io::Hint{.min = 0, .max = 2'000'000});
+    v("grass_distance", s.grassDistance, io::Hint{.min = 5, .max = 250, .unit = "m"});
+    v("grass_density", s.grassDensity, io::Hint{.min = 0.05, .max = 1});
     v("shafts", s.shafts, io::Hint{});
     v("froxels", s.froxels, io::Hint{});
     v("bloom", s.bloom, io::Hint{});

@@ -22,6 +22,7 @@
 #include "renderer/passes/temporal.h"
 #include "renderer/passes/tone_map.h"
 #include "renderer/passes/transparent.h"
+#include "renderer/passes/grass.h"
 #include "renderer/passes/water.h"
 #include "renderer/renderer.h"
 #include "renderer/scenery.h"
@@ -59,6 +60,7 @@ struct Renderer::State {
     SkyTables skyTables;
     ShadowPass shadow;
     GeometryPass geometry;
+    GrassPass grass;
     LampPass lamps;
     OcclusionPass occlusion;
     LightingPass lighting;

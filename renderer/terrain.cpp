@@ -85,6 +85,7 @@ void Terrain::update(const io::Scene& scene, const io::Assets& assets, const io:
 {
     const bool fields = changes.terrain || changes.everything;
     if (!fields && changes.heights.empty() && changes.cover.empty()) return;
+    ++m_shown;
     const auto& heights = scene.heights();
     const bool usable = heights && heights->size.x >= 2 && heights->size.y >= 2;
     if (!usable) {
@@ -170,6 +171,13 @@ void Terrain::changeHeights(const io::TexelRect& changed)
     const glm::vec2 after = m_tree.rangeOf(changed);
     m_texels->change(m_map, changed);
     touch(changed, std::min(before.x, after.x), std::max(before.y, after.y));
+}
+
+glm::vec2 Terrain::heightsWithin(const glm::dvec2& from, const glm::dvec2& to) const
+{
+    const io::Texel low{glm::floor((from - m_map->origin) / m_map->metresPerTexel)}, high{glm::ceil((to - m_map->origin) / m_map->metresPerTexel)};
+    const io::TexelRect rect = common({low, high + io::Texel{1}}, m_map->texels());
+    return rect.empty() ? glm::vec2{1, 0} : m_tree.rangeOf(rect);
 }
 
 void Terrain::touch(const io::TexelRect& rect, float low, float high)

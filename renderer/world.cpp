@@ -76,6 +76,8 @@ void World::readTemplate(const io::Scene& scene, const io::Assets& assets, io::T
         state.castShadow = value->castShadow && !value->model.empty();
         state.marker = value->model.empty();
         state.wind = value->wind;
+        if (slot < assets.models.size() && assets.models[slot])
+            if (auto shape = std::make_shared<const io::FootprintShape>(*value, *assets.models[slot]); !shape->empty()) state.footprint = std::move(shape);
     }
     m_templates[slot] = state;
 }
@@ -138,6 +140,7 @@ void World::place(const io::Object& object)
     const Placement placement{.model = state.model,
                               .transform = object.transform,
                               .id = object.id,
+                              .templateId = object.templateId,
                               .flags = (state.castShadow ? CULL_CASTS_SHADOW : 0u) | (state.marker ? CULL_MARKER : 0u),
                               .wind = state.wind};
     PlacedModels& models = on(state.path);

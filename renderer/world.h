@@ -3,6 +3,7 @@
 
 #include "io/scene/assets.h"
 #include "io/scene/changes.h"
+#include "io/scene/footprint.h"
 #include "io/scene/scene.h"
 #include "renderer/placed_models.h"
 
@@ -38,6 +39,15 @@ public:
     ModelRef modelOf(io::TemplateId id) const;
     InstanceHandle handleOf(io::ObjectId id) const; // of nobody where it is not drawn
     const glsl::CullRecord* recordOf(io::ObjectId id) const; // null where it is not drawn
+    // visit(instance, footprint) for each thing in a box that grass keeps out of.
+    template <class Visit> void footprints(const io::WorldBox& box, Visit&& visit) const
+    {
+        const auto ask = [&](const glsl::Instance& instance, const glsl::CullRecord& record) {
+            if (const auto& shape = stateOf(io::TemplateId{record.templateId}).footprint) visit(instance, *shape);
+        };
+        m_batched.touching(box, ask);
+        m_direct.touching(box, ask);
+    }
     std::size_t instances() const { return m_handleOf.size(); }
     io::WorldBox boundsOf(std::span<const io::ObjectId> ids) const;
     io::WorldBox bounds() const { return m_bounds; } // at least everything; does not shrink until the next scene
@@ -56,6 +66,7 @@ private:
         bool castShadow = true;
         bool marker = false;
         float wind = 0;
+        std::shared_ptr<const io::FootprintShape> footprint; // null: none
         bool shows(const TemplateState& other) const { return path == other.path && model == other.model; }
     };
     PlacedModels& on(io::DrawPath path) { return path == io::DrawPath::Direct ? m_direct : m_batched; }

@@ -3,6 +3,7 @@
 #include "editor/editor.h"
 #include "editor/field_ui.h"
 #include "editor/painting.h"
+#include "editor/panels/grass_kinds.h"
 #include "editor/stamp_file.h"
 #include "editor/text.h"
 #include "editor/widgets.h"
@@ -72,6 +73,7 @@ void TerrainPanel::draw(Editor& editor)
     sculpting(editor);
     measures(editor);
     layers(editor);
+    if (editor.document()->scene().heights()) drawGrassKinds(editor);
 }
 
 void TerrainPanel::refreshFiles(Editor& editor)
@@ -116,6 +118,7 @@ void TerrainPanel::sculpting(Editor& editor)
         else viewport.sculptWith(editor, BrushTool(i));
     }
     const bool layered = viewport.brush.tool == BrushTool::Paint || viewport.brush.tool == BrushTool::Replace;
+    if (growsGrass(viewport.brush.tool)) grassChoice(editor, viewport.brush);
     if (layered) layerChoice(*editor.document(), "ground.layer", viewport.brush.layer);
     if (viewport.brush.tool == BrushTool::Replace) layerChoice(*editor.document(), "ground.replaced", viewport.brush.replaced);
     FieldUi ui{{.prefix = "brush.",
@@ -127,10 +130,14 @@ void TerrainPanel::sculpting(Editor& editor)
         if (ui::button("fill", tr("ground.fill")))
             editor.step("undo.fill", [&](Document& document) { fillCover(document, tr("undo.fill"), viewport.brush); });
         if (ImGui::IsItemHovered()) ui::tooltip(tr("ground.fill_tip"));
-    } else if (!paints(viewport.brush.tool)) {
+    } else if (growsGrass(viewport.brush.tool)) {
+        if (ui::button("fill_grass", tr("ground.fill")))
+            editor.step("undo.fill_grass", [&](Document& document) { fillGrass(document, tr("undo.fill_grass"), viewport.brush); });
+        if (ImGui::IsItemHovered()) ui::tooltip(tr("ground.fill_tip"));
+    } else {
         ui::checkbox("follow", tr("ground.follow"), viewport.objectsFollow);
     }
-    ui::softText(paints(viewport.brush.tool) ? tr("ground.paint_keys") : tr("ground.brush_keys"));
+    ui::softText(growsGrass(viewport.brush.tool) ? tr("grass.keys") : paints(viewport.brush.tool) ? tr("ground.paint_keys") : tr("ground.brush_keys"));
 }
 
 void TerrainPanel::measures(Editor& editor)

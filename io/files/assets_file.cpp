@@ -2,6 +2,7 @@
 #include "io/base/paths.h"
 #include "io/files/card_trimming.h"
 #include "io/files/cover_map_file.h"
+#include "io/files/grass_map_file.h"
 #include "io/files/height_map_file.h"
 #include "io/files/image_file.h"
 #include "io/files/levels.h"
@@ -156,6 +157,13 @@ void addGroundJob(const World& world, Ground& ground, std::vector<Job>& jobs)
                     }});
 }
 
+void addGrassJob(const World& world, std::shared_ptr<const GrassMap>& map, std::vector<Job>& jobs)
+{
+    const Grass& grass = world.scene.grass();
+    if (grass.map.empty()) return;
+    jobs.push_back({grass.map, [&](Complaints& complaints, const Progress&) { map = readGrassMap(world, grass, complaints); }});
+}
+
 } // namespace
 
 std::shared_ptr<const Model> readTemplateModel(const World& world, TemplateId id, Complaints& complaints)
@@ -193,12 +201,24 @@ std::shared_ptr<const CoverMap> readCover(const World& world, const Terrain& ter
     return nullptr;
 }
 
+std::shared_ptr<const GrassMap> readGrassMap(const World& world, const Grass& grass, Complaints& complaints)
+{
+    if (grass.map.empty()) return nullptr;
+    const Result<std::filesystem::path> path = insideFolder(world.project.folder, grass.map);
+    auto texels = path ? readGrassTexels(*path) : Result<TexelTiles<std::uint32_t>>{path.error()};
+    if (texels) return std::make_shared<const GrassMap>(std::move(*texels), grass.metresPerTexel, grass.origin);
+    complaints.push_back(complaintOf((world.project.folder / world.entry.file).string(), "grass.map", texels.error()));
+    return nullptr;
+}
+
 Result<Assets> readAssets(World& world, Complaints& complaints, const Progress& progress)
 {
     Assets assets;
     std::vector<Job> jobs;
     Ground ground;
     addGroundJob(world, ground, jobs); // the largest first
+    std::shared_ptr<const GrassMap> grassMap;
+    addGrassJob(world, grassMap, jobs);
     addImageJobs(world, assets, jobs);
     addModelJobs(world, assets, jobs);
     const bool complete = runAll(jobs, progress);
@@ -211,6 +231,10 @@ Result<Assets> readAssets(World& world, Complaints& complaints, const Progress& 
         if (ground.cover) world.coverFiles[terrain.coverMap] = ground.cover;
         world.scene.exchange(std::move(ground.heights));
         world.scene.exchange(std::move(ground.cover));
+    }
+    if (grassMap) {
+        world.grassFiles[world.scene.grass().map] = grassMap;
+        world.scene.exchange(std::move(grassMap));
     }
     return assets;
 }

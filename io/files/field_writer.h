@@ -52,8 +52,7 @@ public:
 
     template <class T> void operator()(std::string_view key, const T& value, const Hint& hint)
     {
-        if constexpr (std::is_same_v<T, std::string>)
-            if (hint.optional && value.empty()) return;
+        if (hint.optional && value == T{}) return;
         name(key);
         write(value, m_depth, m_extra, m_prefix + escapedKey(key) + ".");
     }

@@ -3,6 +3,7 @@
 #include "io/base/log.h"
 #include "io/base/paths.h"
 #include "io/files/cover_map_file.h"
+#include "io/files/grass_map_file.h"
 #include "io/files/documents.h"
 #include "io/files/file_names.h"
 #include "io/files/height_map_file.h"
@@ -200,15 +201,16 @@ Result<Terrain> addHeights(FileTransaction& transaction, const World& world)
     return terrain;
 }
 
-Status addCover(FileTransaction& transaction, const World& world)
+// What was painted, unless its file holds it.
+template <class Map>
+Status addPainted(FileTransaction& transaction, const World& world, const std::string& file, const std::shared_ptr<const Map>& map,
+                  const std::map<std::string, std::shared_ptr<const Map>, std::less<>>& files, Result<std::string> (*encode)(const Map&))
 {
-    const std::string& file = world.scene.terrain().coverMap;
-    const auto& cover = world.scene.cover();
-    if (!cover || file.empty()) return {};
-    const auto known = world.coverFiles.find(file);
-    if (known != world.coverFiles.end() && (known->second == cover || *known->second == *cover)) return {};
+    if (!map || file.empty()) return {};
+    const auto known = files.find(file);
+    if (known != files.end() && (known->second == map || *known->second == *map)) return {};
     if (const Result<fs::path> path = insideFolder(world.project.folder, file); !path) return path.error();
-    Result<std::string> bytes = encodeCoverMap(*cover);
+    Result<std::string> bytes = encode(*map);
     if (!bytes) return Error{shown(world.project.folder, file), bytes.error().what};
     transaction.add(file, *std::move(bytes));
     return {};
@@ -270,7 +272,10 @@ Result<FileTransaction::Report> saveWorld(World& world)
     addIfChanged(transaction, folder, kProjectFile, body, projectText(body), readProjectText);
     Result<Terrain> terrain = addHeights(transaction, world);
     if (!terrain) return terrain.error();
-    if (const Status painted = addCover(transaction, world); !painted) return painted.error();
+    const Scene& scene = world.scene;
+    Status painted = addPainted(transaction, world, scene.terrain().coverMap, scene.cover(), world.coverFiles, encodeCoverMap);
+    if (painted) painted = addPainted(transaction, world, scene.grass().map, scene.grassMap(), world.grassFiles, encodeGrassMap);
+    if (!painted) return painted.error();
     transaction.add(world.entry.file, sceneText(world.scene, environmentFile, *terrain));
     addIfChanged(transaction, folder, environmentFile, world.scene.environment(),
                  environmentText(world.scene.environment()), readEnvironmentText);
@@ -292,7 +297,8 @@ Result<FileTransaction::Report> saveWorld(World& world)
         log::warning("{}: another program changed it; the template is deleted, but the file stays",
                      (folder / kept).string());
     if (world.scene.heights()) world.heightFiles[terrain->heightMap] = {world.scene.heights(), terrain->minHeight, terrain->maxHeight};
-    if (world.scene.cover()) world.coverFiles[terrain->coverMap] = world.scene.cover();
+    if (scene.cover()) world.coverFiles[terrain->coverMap] = scene.cover();
+    if (scene.grassMap()) world.grassFiles[scene.grass().map] = scene.grassMap();
     world.scene.exchange(*std::move(terrain)); // whose two heights may lie farther apart now, or in another file
     remember(world, std::move(body.templates), std::move(templateFiles));
     return report;

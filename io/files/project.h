@@ -43,6 +43,7 @@ struct World {
     };
     std::map<std::string, HeightFile, std::less<>> heightFiles;
     std::map<std::string, std::shared_ptr<const CoverMap>, std::less<>> coverFiles;
+    std::map<std::string, std::shared_ptr<const GrassMap>, std::less<>> grassFiles;
     // Templates that were read from a file or saved to it, and what it held (fingerprint()): only that file is
     // removed when its template is deleted.
     std::map<std::string, std::uint64_t, std::less<>> templateFiles;
@@ -66,6 +67,7 @@ Result<Assets> readAssets(World& world, Complaints& complaints, const Progress& 
 std::shared_ptr<const HeightMap> readHeights(const World& world, const Terrain& terrain, Complaints& complaints, const Progress& progress = {});
 // The cover of that name over heights of that size; likewise.
 std::shared_ptr<const CoverMap> readCover(const World& world, const Terrain& terrain, glm::ivec2 size, Complaints& complaints);
+std::shared_ptr<const GrassMap> readGrassMap(const World& world, const Grass& grass, Complaints& complaints); // likewise
 std::shared_ptr<const Model> readTemplateModel(const World& world, TemplateId id, Complaints& complaints);
 
 // `wold new`: from a starter that ships ("empty", "valley"). The folder must be missing or empty.

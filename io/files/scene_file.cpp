@@ -234,6 +234,7 @@ Result<std::string> readSceneText(std::string text, const std::string& name, Sce
     source.finish();
     complaints.insert(complaints.end(), found.begin(), found.end());
     scene.exchange(std::move(body->terrain));
+    scene.exchange(std::move(body->grass));
     scene.extra = std::move(body->extra);
     return std::move(body->environment);
 }
@@ -249,7 +250,7 @@ std::string sceneText(const Scene& scene, const std::string& environmentFile, co
     out.reserve(512 + scene.objects().size() * 128);
     FieldWriter writer{out, 0, &scene.extra};
     out += '{';
-    const Headed<SceneBody> head{kFormat, kFileVersion, {environmentFile, terrain, {}}};
+    const Headed<SceneBody> head{kFormat, kFileVersion, {environmentFile, terrain, scene.grass(), {}}};
     fields(writer, head);
     const std::vector<ObjectId> ids = scene.sortedIds();
     if (scene.lastSavedId > (ids.empty() ? ObjectId::None : ids.back())) {

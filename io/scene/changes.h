@@ -16,12 +16,14 @@ struct Changes {
     bool terrain = false;
     std::vector<TexelRect> heights; // parts of the ground that rose or sank; all of it for another map
     std::vector<TexelRect> cover;   // parts of it that were painted
+    bool grass = false;              // its kinds, or where its map lies
+    std::vector<TexelRect> grassMap; // parts of it that were painted
     bool everything = false; // another scene: rebuild
 
     bool none() const
     {
         return objects.empty() && templates.empty() && !environment && !cameras && !terrain &&
-               heights.empty() && cover.empty() && !everything;
+               heights.empty() && cover.empty() && !grass && grassMap.empty() && !everything;
     }
     void add(const Changes& other)
     {
@@ -32,6 +34,8 @@ struct Changes {
         terrain |= other.terrain;
         heights.insert(heights.end(), other.heights.begin(), other.heights.end());
         cover.insert(cover.end(), other.cover.begin(), other.cover.end());
+        grass |= other.grass;
+        grassMap.insert(grassMap.end(), other.grassMap.begin(), other.grassMap.end());
         everything |= other.everything;
     }
 };

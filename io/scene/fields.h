@@ -7,6 +7,7 @@
 
 #include "io/scene/camera.h"
 #include "io/scene/environment.h"
+#include "io/scene/grass.h"
 #include "io/scene/object.h"
 #include "io/scene/template.h"
 #include "io/scene/terrain.h"
@@ -26,7 +27,7 @@ struct Hint {
     double max = std::numeric_limits<double>::max();
     const char* unit = "";
     Style style = Style::Plain;
-    bool optional = false; // a text that is not written while it is empty
+    bool optional = false; // not written while it is as empty as a new one
 };
 
 // `T` itself or `const T`, so that one list serves readers and writers.
@@ -40,6 +41,7 @@ constexpr auto enumNames(ShadowFilter) { return std::array<std::string_view, 3>{
 constexpr auto enumNames(LightKind) { return std::array<std::string_view, 3>{"none", "point", "spot"}; }
 constexpr auto enumNames(ParticleKind) { return std::array<std::string_view, 4>{"none", "fire", "smoke", "dust"}; }
 constexpr auto enumNames(Collision) { return std::array<std::string_view, 4>{"none", "box", "mesh", "capsule"}; }
+constexpr auto enumNames(Footprint) { return std::array<std::string_view, 4>{"none", "radius", "box", "mesh"}; }
 constexpr auto enumNames(DrawPath) { return std::array<std::string_view, 2>{"batched", "direct"}; }
 
 void fields(auto& v, Of<Sun> auto& s)
@@ -224,6 +226,34 @@ void fields(auto& v, Of<Terrain> auto& t)
     v("layers", t.layers, Hint{});
 }
 
+void fields(auto& v, Of<GrassKind> auto& k)
+{
+    v("name", k.name, Hint{});
+    v("plant", k.plant, Hint{.optional = true});
+    v("density", k.density, Hint{.min = 0, .max = kMostGrass, .unit = "1/m2"});
+    v("height", k.height, Hint{.min = 0.01, .max = 6, .unit = "m"});
+    v("width", k.width, Hint{.min = 0.001, .max = 0.3, .unit = "m", .style = Style::Logarithmic});
+    v("root_colour", k.rootColour, Hint{.min = 0, .max = 1, .style = Style::Colour});
+    v("tip_colour", k.tipColour, Hint{.min = 0, .max = 1, .style = Style::Colour});
+    v("variety", k.variety, Hint{.min = 0, .max = 1});
+    v("ground_colour", k.groundColour, Hint{.min = 0, .max = 1});
+    v("bend", k.bend, Hint{.min = 0, .max = 1});
+    v("clump", k.clump, Hint{.min = 0, .max = 1});
+    v("clump_size", k.clumpSize, Hint{.min = 0.1, .max = 20, .unit = "m", .style = Style::Logarithmic});
+    v("wind", k.wind, Hint{.min = 0, .max = 1});
+    v("slope", k.slope, Hint{.min = 0, .max = 90, .unit = "deg"});
+    v("altitude", k.altitude, Hint{.min = -100000, .max = 100000, .unit = "m"});
+    v("above_water", k.aboveWater, Hint{.min = -100000, .max = 100000, .unit = "m"});
+}
+
+void fields(auto& v, Of<Grass> auto& g)
+{
+    v("map", g.map, Hint{.style = Style::Path, .optional = true});
+    v("metres_per_texel", g.metresPerTexel, Hint{.min = 0.05, .max = 100, .unit = "m"});
+    v("origin", g.origin, Hint{.min = -1e7, .max = 1e7, .unit = "m"});
+    v("kinds", g.kinds, Hint{});
+}
+
 void fields(auto& v, Of<Camera> auto& c)
 {
     v("name", c.name, Hint{});
@@ -284,6 +314,7 @@ void fields(auto& v, Of<Template> auto& t)
     v("align_to_ground", t.alignToGround, Hint{});
     v("sink", t.sink, Hint{.min = -100, .max = 100, .unit = "m"});
     v("collision", t.collision, Hint{});
+    v("footprint_shape", t.footprintShape, Hint{});
     v("footprint", t.footprint, Hint{.min = 0, .max = 1000, .unit = "m"});
     v("cast_shadow", t.castShadow, Hint{});
     v("impostor", t.impostor, Hint{});

@@ -133,6 +133,16 @@ std::shared_ptr<const CoverMap> Scene::exchange(std::shared_ptr<const CoverMap> 
 {
     return std::exchange(m_cover, std::move(cover));
 }
+Grass Scene::exchange(Grass grass)
+{
+    const bool moved = grass.metresPerTexel != m_grass.metresPerTexel || grass.origin != m_grass.origin;
+    if (moved && m_grassMap) m_grassMap = std::make_shared<const GrassMap>(m_grassMap->field(), grass.metresPerTexel, grass.origin);
+    return std::exchange(m_grass, std::move(grass));
+}
+std::shared_ptr<const GrassMap> Scene::exchange(std::shared_ptr<const GrassMap> map)
+{
+    return std::exchange(m_grassMap, std::move(map));
+}
 std::vector<Camera> Scene::exchange(std::vector<Camera> cameras)
 {
     return std::exchange(m_cameras, std::move(cameras));
@@ -152,7 +162,8 @@ bool sameContent(const Scene& a, const Scene& b)
 {
     if (a.objects().size() != b.objects().size() || a.environment() != b.environment() || a.terrain() != b.terrain() ||
         !a.heights() != !b.heights() || (a.heights() && *a.heights() != *b.heights()) ||
-        !a.cover() != !b.cover() || (a.cover() && *a.cover() != *b.cover()) || !std::ranges::equal(a.cameras(), b.cameras()) || !std::ranges::equal(a.paths(), b.paths()))
+        !a.cover() != !b.cover() || (a.cover() && *a.cover() != *b.cover()) ||
+        a.grass() != b.grass() || !a.grassMap() != !b.grassMap() || (a.grassMap() && *a.grassMap() != *b.grassMap()) || !std::ranges::equal(a.cameras(), b.cameras()) || !std::ranges::equal(a.paths(), b.paths()))
         return false;
     for (const Object& object : a.objects()) {
         const Object* other = b.find(object.id);

@@ -6,6 +6,7 @@
 #include "io/scene/changes.h"
 #include "io/scene/cover_map.h"
 #include "io/scene/environment.h"
+#include "io/scene/grass.h"
 #include "io/scene/height_map.h"
 #include "io/scene/ids.h"
 #include "io/scene/object.h"
@@ -45,6 +46,8 @@ public:
     const Terrain& terrain() const { return m_terrain; }
     const std::shared_ptr<const HeightMap>& heights() const { return m_heights; } // null: no ground
     const std::shared_ptr<const CoverMap>& cover() const { return m_cover; } // as large as the heights; null: nothing was painted
+    const Grass& grass() const { return m_grass; }
+    const std::shared_ptr<const GrassMap>& grassMap() const { return m_grassMap; } // null: none grows
     std::span<const Camera> cameras() const { return m_cameras; }
     std::span<const CameraPath> paths() const { return m_paths; }
     const Camera* findCamera(std::string_view name) const;
@@ -62,6 +65,8 @@ public:
     Terrain exchange(Terrain terrain); // heights lie where it says from then on, if that changes
     std::shared_ptr<const HeightMap> exchange(std::shared_ptr<const HeightMap> heights);
     std::shared_ptr<const CoverMap> exchange(std::shared_ptr<const CoverMap> cover);
+    Grass exchange(Grass grass); // the map lies where it says from then on, if that changes
+    std::shared_ptr<const GrassMap> exchange(std::shared_ptr<const GrassMap> map);
     std::vector<Camera> exchange(std::vector<Camera> cameras);
     std::vector<CameraPath> exchange(std::vector<CameraPath> paths);
 
@@ -81,6 +86,8 @@ private:
     Terrain m_terrain;
     std::shared_ptr<const HeightMap> m_heights;
     std::shared_ptr<const CoverMap> m_cover;
+    Grass m_grass;
+    std::shared_ptr<const GrassMap> m_grassMap;
     std::vector<Camera> m_cameras;
     std::vector<CameraPath> m_paths;
 };

@@ -9,6 +9,7 @@
 namespace io {
 
 enum class Collision { None, Box, Mesh, Capsule };
+enum class Footprint { None, Radius, Box, Mesh }; // what grass keeps out of
 enum class LightKind { None, Point, Spot };
 enum class ParticleKind { None, Fire, Smoke, Dust };
 enum class DrawPath { Batched, Direct }; // shared buffers, or buffers of its own that can be unloaded alone
@@ -49,7 +50,8 @@ struct Template {
     bool alignToGround = false;    // its up axis follows the surface under it
     float sink = 0;                // m below the surface, so that roots and rocks sit in the ground
     Collision collision = Collision::Mesh;
-    float footprint = 0;           // m, radius around it that grass keeps out of
+    Footprint footprintShape = Footprint::Mesh; // the circle alone, or with it its bounds, or where its mesh meets the ground
+    float footprint = 0;           // m, radius of the circle around it that grass keeps out of
     bool castShadow = true;
     bool impostor = false;         // drawn as a picture of itself where it is small
     DrawPath drawPath = DrawPath::Batched;

@@ -184,6 +184,12 @@ void Stage::setViews(std::vector<io::Camera> cameras, std::vector<io::CameraPath
     m_world.scene.exchange(std::move(paths));
 }
 
+void Stage::setGrass(io::Grass grass, io::TexelTiles<std::uint32_t> texels)
+{
+    m_world.scene.exchange(std::make_shared<const io::GrassMap>(std::move(texels), grass.metresPerTexel, grass.origin));
+    m_world.scene.exchange(std::move(grass));
+}
+
 io::Status Stage::addGround(std::vector<io::TerrainLayer> layers, int side, double minHeight, double maxHeight)
 {
     const fs::path& folder = m_world.project.folder;

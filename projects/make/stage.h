@@ -46,6 +46,7 @@ public:
 
     // The ground's file, its layers and their textures (`side` texels), and how high the file reaches.
     io::Status addGround(std::vector<io::TerrainLayer> layers, int side, double minHeight, double maxHeight);
+    void setGrass(io::Grass grass, io::TexelTiles<std::uint32_t> texels);
     io::Status save(); // models and all text
 
 private:

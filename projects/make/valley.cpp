@@ -91,6 +91,7 @@ io::Status makeValley(const std::filesystem::path& folder, Textures& textures)
     plantForest(stage);
     plantUndergrowth(stage);
     smokeOverFire(stage, camp); // last, so that the numbers of others stay
+    growGrass(stage);
     setViews(stage);
     return stage.save();
 }

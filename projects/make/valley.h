@@ -11,6 +11,7 @@ void smokeOverFire(Stage& stage, io::ObjectId camp);
 void layRocks(Stage& stage);
 void plantForest(Stage& stage);
 void plantUndergrowth(Stage& stage);
+void growGrass(Stage& stage);
 void setViews(Stage& stage);
 
 float forestAt(const Stage& stage, glm::vec2 p); // 0 open … 1 deep forest

@@ -29,11 +29,10 @@ public:
     const GBuffer& finish();                // what later passes may read
     const GBuffer& targets() const { return m_targets; }
     bool keepsIds() const { return m_ids; }
+    const gl::Framebuffer& framebuffer() const { return m_ids ? m_framebuffer : m_withoutIds; } // that is drawn into
 
 private:
     void resize(glm::ivec2 size);
-
-    const gl::Framebuffer& framebuffer() const { return m_ids ? m_framebuffer : m_withoutIds; }
 
     ShaderLibrary& m_shaders;
     ObjectPrograms m_programs;

@@ -9,6 +9,10 @@
 layout(binding = LAYER_COLOURS_UNIT) uniform sampler2DArray layerColours;
 layout(binding = LAYER_NORMALS_UNIT) uniform sampler2DArray layerNormals;
 
+#ifdef FROM_ABOVE
+layout(binding = HEIGHTS_UNIT) uniform MAP_TEXTURE heights;
+#endif
+
 layout(location = 0) in vec3 place;
 
 struct Cover {
@@ -43,11 +47,16 @@ Cover cover(int index, vec2 plane, vec3 axisU, vec3 axisV, float tiling, const b
 void main()
 {
     vec2 texel = place.xy;
+#ifdef FROM_ABOVE
+    float height = texelFetch(heights, ivec2(texel), 0).r;
+#else
+    float height = place.z;
+#endif
     vec2 metres = texel * terrain.metres;
     vec3 n = groundNormal(texel);
     GroundNoise noise = groundNoise(metres);
     vec4 near = noise.near, far = noise.far;
-    Choice choice = layersAt(texel, place.z, n, noise);
+    Choice choice = layersAt(texel, height, n, noise);
 
     // Cliffs are projected from the side that faces them most; noise breaks the line where sides meet.
     float steep = max(abs(n.x), abs(n.z)) + (near.a - 0.5) * 0.25 - n.y * 1.15;
@@ -55,7 +64,7 @@ void main()
     vec3 facing = quadShared(vec3(steep, turned, 0.0));
     bool side = facing.x > 0.0;
     bool fromX = facing.y > 0.0;
-    vec3 world = vec3(metres.x, place.z, metres.y);
+    vec3 world = vec3(metres.x, height, metres.y);
     vec2 plane = side ? (fromX ? vec2(world.z, -world.y) : vec2(world.x, -world.y)) : world.xz;
     vec3 axisU = side && fromX ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
     vec3 axisV = side ? vec3(0.0, -1.0, 0.0) : vec3(0.0, 0.0, 1.0);

@@ -102,6 +102,7 @@ Keys computedKeys()
     addFields<io::Template>(keys, "template.");
     addFields<io::Terrain>(keys, "terrain.");
     addFields<io::TerrainLayer>(keys, "layer.");
+    addFields<io::GrassKind>(keys, "grass_kind.");
     addFields<io::Transform>(keys, "object.");
     addFields<renderer::Settings>(keys, "render.");
     for (const std::string_view tool : enumNames(editor::BrushTool::Raise)) {

@@ -15,6 +15,7 @@
 #define PICTURE_BINDING 9 // light shafts, or the exposure that was chosen
 #define WATER_BINDING 10 // and PARTICLES_BINDING: passes of their own
 #define PARTICLES_BINDING 10
+#define GRASS_BINDING 11
 
 // Storage blocks
 #define SKY_LIGHT_STORAGE_BINDING 0 // the same buffer while it is written
@@ -30,6 +31,11 @@
 #define CULL_DRAWN_BINDING 7
 #define CULL_PARTS_BINDING 0    // where commands are made
 #define CULL_COMMANDS_BINDING 1
+
+#define GRASS_BLADES_BINDING 0
+#define GRASS_COUNTS_BINDING 1
+#define GRASS_TILES_BINDING 2
+#define GRASS_COMMANDS_BINDING 3
 
 // Texture units. A pass either draws materials, or the ground, or reads the GBuffer: the first five are shared.
 #define BASE_COLOUR_UNIT 0
@@ -78,6 +84,11 @@
 #define BEHIND_UNIT 28       // the lit picture that water is drawn over
 #define BEHIND_DEPTH_UNIT 29 // and its depth
 #define PARTICLE_ATLAS_UNIT 27
+
+// Of grass while it is placed.
+#define GRASS_MAP_UNIT 24
+#define GRASS_MASK_UNIT 25
+#define GROUND_TINT_UNIT 26
 
 // Records that vertices read are buffer textures: software GL fetches a texel far faster than it reads a storage block.
 #define MATERIALS_UNIT 14

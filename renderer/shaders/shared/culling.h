@@ -15,7 +15,7 @@ SHARED_BEGIN
 struct CullRecord { // of an instance, beside its Instance
     vec3 centre; float radius; // m, world; the radius covers the rounding of the centre
     uint model;  uint flags;
-    float sway;  uint unused0; // `give` of windReach()
+    float sway;  uint templateId; // `give` of windReach(); of the scene
 };
 SHARED_STRUCT_END(CullRecord, 32)
 

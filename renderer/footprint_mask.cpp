@@ -1,0 +1,111 @@
+#include "renderer/footprint_mask.h"
+
+#include "renderer/shaders/shared/grass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace renderer {
+namespace {
+
+constexpr double kTexel = double(GRASS_CELL);
+constexpr double kReach = kTexel * 0.7072; // from a texel's centre to its corners
+constexpr double kTall = 1e5;              // m: things at any height
+constexpr double kAfloat = 0.6;            // m over the ground, from where on nothing is kept out of
+constexpr std::int64_t kStep = 64;         // texels that the window moves by
+
+} // namespace
+
+void FootprintMask::update(const World& world, const Terrain& terrain, const glm::dvec3& eye)
+{
+    if (!m_texture) {
+        m_texture = gl::Texture{{.label = "footprints", .size = glm::ivec2{m_side}, .format = GL_R8, .filter = GL_NEAREST, .wrap = GL_REPEAT}};
+        m_texels.resize(std::size_t(m_side) * std::size_t(m_side));
+    }
+    const glm::i64vec2 middle = glm::i64vec2{glm::floor(glm::dvec2{eye.x, eye.z} / kTexel / double(kStep))} * kStep;
+    const Window window{middle - std::int64_t(m_side / 2), middle + std::int64_t(m_side / 2)};
+    const bool all = !m_known || world.revision() != m_worldRevision || terrain.revision() != m_terrainRevision;
+    const Window before = m_window;
+    m_window = window;
+    m_known = true;
+    m_worldRevision = world.revision();
+    m_terrainRevision = terrain.revision();
+    const Window kept = common(window, before);
+    if (all || kept.empty()) return redraw(world, terrain, window);
+    // What came in: strips beside what is kept, along x and along z.
+    for (const Window& strip : {Window{window.low, {window.high.x, kept.low.y}}, Window{{window.low.x, kept.high.y}, window.high},
+                                Window{{window.low.x, kept.low.y}, {kept.low.x, kept.high.y}}, Window{{kept.high.x, kept.low.y}, {window.high.x, kept.high.y}}})
+        redraw(world, terrain, strip);
+    for (const std::span<const glm::dvec4> spheres : {world.touched(), terrain.touched()})
+        for (const glm::dvec4& sphere : spheres) {
+            const glm::dvec2 centre{sphere.x, sphere.z};
+            redraw(world, terrain, common(window, {glm::i64vec2{glm::floor((centre - sphere.w) / kTexel)} - std::int64_t(1), glm::i64vec2{glm::ceil((centre + sphere.w) / kTexel)} + std::int64_t(1)}));
+        }
+}
+
+void FootprintMask::redraw(const World& world, const Terrain& terrain, const Window& part)
+{
+    if (part.empty()) return;
+    for (std::int64_t z = part.low.y; z < part.high.y; ++z)
+        for (std::int64_t x = part.low.x; x < part.high.x; ++x)
+            m_texels[indexOf({x, z})] = 0;
+    const glm::dvec2 low = glm::dvec2{part.low} * kTexel, high = glm::dvec2{part.high} * kTexel;
+    io::WorldBox box;
+    box.add({low.x, -kTall, low.y});
+    box.add({high.x, kTall, high.y});
+    world.footprints(box, [&](const glsl::Instance& instance, const io::FootprintShape& shape) { draw(instance, shape, part, terrain); });
+    send(part);
+}
+
+void FootprintMask::draw(const glsl::Instance& instance, const io::FootprintShape& shape, const Window& part, const Terrain& terrain)
+{
+    const glm::dvec3 position = glm::dvec3{instance.positionHigh} + glm::dvec3{instance.positionLow};
+    const auto& ground = terrain.heights();
+    const auto height = ground ? ground->height(position.x, position.z) : std::nullopt;
+    if (height && position.y > *height + kAfloat) return;
+    const glm::dmat2 worldFromModel{glm::dvec2{instance.axisX.x, instance.axisX.z}, glm::dvec2{instance.axisZ.x, instance.axisZ.z}};
+    if (std::abs(glm::determinant(worldFromModel)) < 1e-9) return;
+    const glm::dmat2 modelFromWorld = glm::inverse(worldFromModel);
+    const double scale = std::sqrt(std::abs(glm::determinant(worldFromModel)));
+    const double radius = double(shape.radius) * scale;
+    const glm::dvec2 at{position.x, position.z};
+    glm::dvec2 from = at - radius, to = at + radius;
+    if (shape.hasTexels())
+        for (const glm::dvec2 corner : {glm::dvec2{shape.low()}, glm::dvec2{shape.high()}, glm::dvec2{shape.low().x, shape.high().y}, glm::dvec2{shape.high().x, shape.low().y}}) {
+            from = glm::min(from, at + worldFromModel * corner);
+            to = glm::max(to, at + worldFromModel * corner);
+        }
+    const Window under = common(part, {glm::i64vec2{glm::floor(from / kTexel)} - std::int64_t(1), glm::i64vec2{glm::ceil(to / kTexel)} + std::int64_t(1)});
+    for (std::int64_t z = under.low.y; z < under.high.y; ++z)
+        for (std::int64_t x = under.low.x; x < under.high.x; ++x) {
+            const glm::dvec2 away = (glm::dvec2{x, z} + 0.5) * kTexel - at;
+            const bool covered = (radius > 0 && glm::length(away) <= radius + kReach) || shape.covers(glm::vec2{modelFromWorld * away}, float(kReach / scale));
+            if (covered) m_texels[indexOf({x, z})] = 255;
+        }
+}
+
+// The window wraps around: a part of it may lie at both ends of the texture.
+void FootprintMask::send(const Window& part)
+{
+    const auto pieces = [this](std::int64_t low, std::int64_t high) {
+        std::vector<glm::ivec2> result; // first texel, count
+        if (high - low >= m_side) return std::vector{glm::ivec2{0, m_side}};
+        while (low < high) {
+            const auto first = int(low & (m_side - 1));
+            const int count = int(std::min<std::int64_t>(high - low, m_side - first));
+            result.emplace_back(first, count);
+            low += count;
+        }
+        return result;
+    };
+    for (const glm::ivec2 rows : pieces(part.low.y, part.high.y))
+        for (const glm::ivec2 columns : pieces(part.low.x, part.high.x))
+            m_texture.uploadPart({columns.x, rows.x}, {columns.y, rows.y}, m_texels.data() + indexOf({columns.x, rows.x}), GL_RED, GL_UNSIGNED_BYTE, 0, 0, m_side);
+}
+
+bool FootprintMask::covers(const glm::dvec2& place) const
+{
+    return m_known && m_texels[indexOf(glm::i64vec2{glm::floor(place / kTexel)})] > 0;
+}
+
+} // namespace renderer

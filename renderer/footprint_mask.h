@@ -1,0 +1,46 @@
+// Where grass must not grow: the footprints of placed things as texels of the world, in a window around the eye that wraps around.
+// Only what came into the window, and where something came, went or moved, is looked at.
+#pragma once
+
+#include "renderer/terrain.h"
+#include "renderer/world.h"
+
+#include <vector>
+
+namespace renderer {
+
+class FootprintMask {
+public:
+    explicit FootprintMask(int side = 2048) : m_side{side} {} // texels of GRASS_CELL, a power of two
+
+    // Once a frame, before others forget what was touched. What is farther than half the window may be missing.
+    void update(const World& world, const Terrain& terrain, const glm::dvec3& eye);
+    void forget() { m_known = false; } // the next update looks at all of it
+
+    const gl::Texture& texture() const { return m_texture; } // R8, above 0: covered
+    bool covers(const glm::dvec2& place) const; // within the window
+
+private:
+    struct Window { // whole texels of the world
+        glm::i64vec2 low{0}, high{0};
+        bool empty() const { return low.x >= high.x || low.y >= high.y; }
+        bool operator==(const Window&) const = default;
+    };
+    static Window common(const Window& a, const Window& b) { return {glm::max(a.low, b.low), glm::min(a.high, b.high)}; }
+    void redraw(const World& world, const Terrain& terrain, const Window& part);
+    void draw(const glsl::Instance& instance, const io::FootprintShape& shape, const Window& part, const Terrain& terrain);
+    void send(const Window& part);
+    std::size_t indexOf(glm::i64vec2 texel) const
+    {
+        return std::size_t(texel.y & (m_side - 1)) * std::size_t(m_side) + std::size_t(texel.x & (m_side - 1));
+    }
+
+    int m_side;
+    bool m_known = false;
+    Window m_window;
+    std::uint64_t m_worldRevision = 0, m_terrainRevision = 0;
+    std::vector<std::uint8_t> m_texels;
+    gl::Texture m_texture;
+};
+
+} // namespace renderer

@@ -1,0 +1,111 @@
+#include "renderer/grass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace renderer {
+namespace {
+
+constexpr float kHighestFactor = 2; // of a kind's own height
+constexpr double kCell = double(GRASS_CELL);
+
+bool sees(const std::optional<Volume>& volume, const glm::dvec3& low, const glm::dvec3& high)
+{
+    if (!volume) return true;
+    const glm::dvec3 centre = (low + high) * 0.5, half = high - centre;
+    return std::ranges::all_of(volume->planes, [&](const glm::dvec4& p) {
+        return glm::dot(glm::dvec3{p}, centre) + p.w + glm::dot(glm::abs(glm::dvec3{p}), half) >= 0;
+    });
+}
+
+glsl::GrassKind kindOf(const io::GrassKind& k)
+{
+    return {.rootColour = k.rootColour,
+            .groundColour = k.groundColour,
+            .tipColour = k.tipColour,
+            .variety = k.variety,
+            .height = k.height,
+            .width = k.width,
+            .density = float(double(k.density) / io::kMostGrass),
+            .steepness = {std::cos(glm::radians(k.slope.y)), std::cos(glm::radians(k.slope.x)) + 1e-5f},
+            .altitude = k.altitude,
+            .aboveWater = k.aboveWater,
+            .bend = k.bend,
+            .wind = k.wind,
+            .clump = k.clump,
+            .clumpSize = k.clumpSize};
+}
+
+} // namespace
+
+void Grass::update(const io::Scene& scene, const io::Changes& changes)
+{
+    if (changes.grass || changes.everything) {
+        m_kinds = scene.grass().kinds;
+        if (m_kinds.size() > io::kMostGrassKinds) m_kinds.resize(io::kMostGrassKinds);
+        m_tallest = 0;
+        for (const io::GrassKind& kind : m_kinds)
+            m_tallest = std::max({m_tallest, kind.height.x, kind.height.y});
+    }
+    const auto before = std::exchange(m_map, scene.grassMap());
+    if (m_map == before) return;
+    if (!m_map) {
+        m_texels = {};
+        return;
+    }
+    const bool another = !before || before->size() != m_map->size() || changes.everything;
+    if (another) m_texels = gl::Texture{{.label = "grass", .size = m_map->size(), .filter = GL_NEAREST}};
+    const std::vector<io::TexelRect> all{m_map->field().rect()};
+    for (const io::TexelRect& changed : another ? all : changes.grassMap) {
+        const io::TexelRect rect = common(changed, m_map->field().rect());
+        if (rect.empty()) continue;
+        const std::vector<std::uint32_t> rows = m_map->field().read(rect);
+        m_texels.uploadPart(glm::ivec2{rect.low}, glm::ivec2{rect.high - rect.low}, rows.data(), GL_RGBA, GL_UNSIGNED_BYTE);
+    }
+}
+
+std::vector<glsl::GrassTile> Grass::tiles(const Terrain& terrain, const Eye& eye, const std::optional<Volume>& volume, const Settings& settings) const
+{
+    std::vector<glsl::GrassTile> tiles;
+    const glm::dvec2 middle{eye.position.x, eye.position.z};
+    const float full = grassFullTo(settings);
+    for (int level = 0; level < GRASS_LEVELS; ++level) {
+        const double from = double(glsl::grassFrom(level, full)), to = std::min(double(glsl::grassFrom(level + 1, full)), double(settings.grassDistance));
+        if (from >= to) break;
+        const double side = kCell * GRASS_TILE * (1 << level);
+        const glm::ivec2 low{glm::floor((middle - to) / side)}, high{glm::floor((middle + to) / side)};
+        for (int z = low.y; z <= high.y; ++z)
+            for (int x = low.x; x <= high.x; ++x) {
+                const glm::dvec2 corner = glm::dvec2{x, z} * side, far = corner + side;
+                const glm::dvec2 nearest = glm::clamp(middle, corner, far), farthest = glm::max(glm::abs(corner - middle), glm::abs(far - middle));
+                if (glm::distance(middle, nearest) > to || glm::length(farthest) < from) continue;
+                const glm::vec2 heights = terrain.heightsWithin(corner, far);
+                if (heights.x > heights.y) continue;
+                const double tall = double(m_tallest * kHighestFactor);
+                if (!sees(volume, {corner.x - tall, double(heights.x), corner.y - tall}, {far.x + tall, double(heights.y) + tall, far.y + tall})) continue;
+                tiles.push_back({.cell = glm::ivec2{x, z} * (GRASS_TILE << level), .level = level});
+            }
+    }
+    return tiles;
+}
+
+glsl::GrassFrame Grass::frame(const Eye& eye, const Settings& settings) const
+{
+    glsl::GrassFrame frame{};
+    const glm::dvec2 place{eye.position.x, eye.position.z}, cell = glm::floor(place / kCell);
+    frame.eyeCell = glm::ivec2{cell};
+    frame.eyeRest = glm::vec2{place - cell * kCell};
+    frame.mapFrom = glm::vec2{m_map->origin};
+    frame.mapSize = glm::vec2{m_map->size()};
+    frame.mapTexel = float(m_map->metresPerTexel);
+    frame.eyeHeight = float(eye.position.y);
+    frame.full = grassFullTo(settings);
+    frame.distance = settings.grassDistance;
+    frame.density = settings.grassDensity;
+    frame.most = std::uint32_t(std::max(settings.mostBlades, 0));
+    for (std::size_t i = 0; i < m_kinds.size(); ++i)
+        frame.kind[i] = kindOf(m_kinds[i]);
+    return frame;
+}
+
+} // namespace renderer

@@ -1,0 +1,39 @@
+// Grass on the GPU: its map and kinds as the scene has them, and what of it may be seen from an eye.
+#pragma once
+
+#include "io/scene/changes.h"
+#include "io/scene/scene.h"
+#include "renderer/cull.h"
+#include "renderer/footprint_mask.h"
+#include "renderer/settings.h"
+#include "renderer/shaders/shared/grass.h"
+
+#include <span>
+#include <vector>
+
+namespace renderer {
+
+class Grass {
+public:
+    void update(const io::Scene& scene, const io::Changes& changes);
+    bool present() const { return bool(m_map) && !m_kinds.empty(); }
+
+    // The tiles that a frame looks for grass in: those of each level that lie around the eye and that the volume sees.
+    std::vector<glsl::GrassTile> tiles(const Terrain& terrain, const Eye& eye, const std::optional<Volume>& volume, const Settings& settings) const;
+    // Of the map, the kinds and the eye; the pass adds what it alone knows.
+    glsl::GrassFrame frame(const Eye& eye, const Settings& settings) const;
+    const gl::Texture& map() const { return m_texels; }
+
+private:
+    std::shared_ptr<const io::GrassMap> m_map;
+    std::vector<io::GrassKind> m_kinds;
+    gl::Texture m_texels;
+    float m_tallest = 0; // m
+};
+
+constexpr float grassFullTo(const Settings& settings) // m, from there on fewer are drawn
+{
+    return settings.grassDistance * 0.27f;
+}
+
+} // namespace renderer

@@ -1,0 +1,90 @@
+// Grass: what grows in a cell of a grid fixed to the world, and what a frame needs to find it. One text for C++ and GLSL.
+#ifndef SHARED_GRASS_H
+#define SHARED_GRASS_H
+#include "shared.h"
+#include "wind.h"
+SHARED_BEGIN
+
+#define GRASS_CELL 0.125f     // m, along a side; one plant at most grows in each, so 64 a square metre
+#define GRASS_TILE 64         // places along a side of a tile
+#define GRASS_KINDS 16
+#define GRASS_LEVELS 8        // of tiles: each has a quarter of the plants of the one before
+#define GRASS_SHAPES 3        // of blades: 15, 7 and 3 vertices
+#define GRASS_PRESSERS 16
+
+struct GrassBlade {
+    vec3 root; uint size;          // relative to the eye, m; halves: height and width, m
+    uint bend; uint look;          // halves: the angle that it bends by from root to tip, along x and z; bytes: which way it faces, kind, tone, age
+    uint ground; uint slope;       // the ground's colour as square roots, and how far that counts; its normal, x and z
+};
+SHARED_STRUCT_END(GrassBlade, 32)
+
+struct GrassKind {
+    vec3 rootColour; float groundColour; // linear; share of the ground's own
+    vec3 tipColour;  float variety;
+    vec2 height;     float width; float density; // m; m; plants a cell
+    vec2 steepness;  vec2 altitude;  // cosines of the steepest and the flattest slope; m
+    vec2 aboveWater; float bend; float wind; // m; 0..1; 0..1
+    float clump;     float clumpSize; float unused0; float unused1; // 0..1; m
+};
+SHARED_STRUCT_END(GrassKind, 96)
+
+struct GrassTile { // places are 1 << level cells apart
+    ivec2 cell; int level; int unused0; // the first
+};
+SHARED_STRUCT_END(GrassTile, 16)
+
+struct GrassFrame {
+    ivec2 eyeCell;   vec2 eyeRest;     // the cell that the eye is over, and m from its corner
+    vec2 mapFrom;    vec2 unused1;     // world x and z of the map's texel (0, 0), m
+    vec2 mapSize;    float mapTexel;   float eyeHeight; // texels; m; m
+    float full;      float distance;   float water; int pressers; // m: to there all grow; to there some do; of the water's level
+    uint most;       uint room;        float density; float shapeAngle; // plants; of a shape; share; radians of height from which 15 vertices show
+    vec2 tintScale;  vec2 unused0;     // of the ground's texels, over the size of its colours
+    Wind wind;
+    vec4 presser[GRASS_PRESSERS];      // relative to the eye, m; radius, m
+    vec4 pressed[GRASS_PRESSERS / 4];  // strengths
+    GrassKind kind[GRASS_KINDS];
+};
+SHARED_STRUCT_END(GrassFrame, 2000)
+
+struct GrassCounts {
+    uint taken;               // plants, also those that found no room
+    uint shape[GRASS_SHAPES];
+};
+SHARED_STRUCT_END(GrassCounts, 16)
+
+// Jarzynski and Olano, "Hash Functions for GPU Rendering" (2020): pcg3d.
+SHARED_FUNCTION uvec3 grassHash(uvec3 v)
+{
+    v = v * 1664525u + 1013904223u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v.x ^= v.x >> 16u;
+    v.y ^= v.y >> 16u;
+    v.z ^= v.z >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    return v;
+}
+
+// The one cell that stands for a block of them, 1 << level along a side: one of those that stand for its quarters.
+SHARED_FUNCTION ivec2 grassCell(ivec2 block, int level)
+{
+    for (int l = level; l > 0; --l) {
+        uint pick = grassHash(uvec3(uint(block.x), uint(block.y), uint(l))).x >> 30u;
+        block = block * 2 + ivec2(int(pick & 1u), int(pick >> 1u));
+    }
+    return block;
+}
+
+// From where on a level's places grow, m.
+SHARED_FUNCTION float grassFrom(int level, float full)
+{
+    return level == 0 ? 0.0f : full * float(1 << (level - 1));
+}
+
+SHARED_END
+#endif

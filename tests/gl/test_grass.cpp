@@ -1,0 +1,258 @@
+// Grass: what grows follows from the place alone, stands on the ground, keeps out of things, and is as dense as it was painted.
+#include "renderer/passes/grass.h"
+#include "renderer/wind.h"
+#include "tests/gl/support/pass_bench.h"
+#include "tests/gl/support/test_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/packing.hpp>
+#include <gtest/gtest.h>
+#include <random>
+#include <set>
+#include <tuple>
+
+namespace {
+
+struct Plant {
+    glm::dvec3 root{0}; // m, world
+    float height = 0;   // m
+    int kind = 0;
+};
+
+io::GrassKind meadow()
+{
+    return {.name = "meadow", .density = 32, .height = {0.2f, 0.4f}};
+}
+
+// A world with grass all over it, and the pass that places it.
+class Meadow {
+public:
+    explicit Meadow(io::GrassCover cover = {{0, 0}, {1, 0}, 1}, std::vector<io::GrassKind> kinds = {meadow()})
+        : m_world{test::makeWorld({.heightMap = {257, 257}, .metresPerTexel = 1, .trees = 0, .boxes = 0})}, m_pass{m_bench.shaders}, m_geometry{m_bench.shaders}
+    {
+        const glm::dvec2 corner = m_world.scene.heights()->origin;
+        io::TexelTiles<std::uint32_t> field{glm::ivec2{513, 513}};
+        const std::vector<std::uint32_t> all(513u * 513u, io::packed(cover));
+        m_world.scene.exchange(io::Grass{.map = "terrain/grass.png", .metresPerTexel = 0.5, .origin = corner, .kinds = std::move(kinds)});
+        m_world.scene.exchange(std::make_shared<const io::GrassMap>(field.with(all, {513, 513}, {0, 0}), 0.5, corner));
+        follow({.everything = true});
+        settings.mostBlades = 300'000;
+        settings.grassDistance = 60;
+    }
+
+    test::TestWorld& world() { return m_world; }
+    renderer::Scenery& scenery() { return m_scenery; }
+    void follow(const io::Changes& changes)
+    {
+        m_scenery.terrain.update(m_world.scene, m_world.assets, changes);
+        m_scenery.world.update(m_world.scene, m_world.assets, changes);
+        m_scenery.grass.update(m_world.scene, changes);
+    }
+
+    std::vector<Plant> look(const io::Camera& camera, glm::ivec2 size = {160, 90}, double seconds = 0)
+    {
+        renderer::Viewpoint v;
+        v.eye = v.culledFor = renderer::eyeOf(camera, size);
+        v.wind = renderer::windOf(io::Wind{}, true, v.eye.position, seconds);
+        v.view = renderer::viewBlock(v.eye, v.eye.clipFromRelative, seconds, 0);
+        m_bench.frame(v.view, [&](renderer::GpuFrame& gpu) {
+            m_scenery.terrain.aim(v.eye, v.eye);
+            m_scenery.footprints.update(m_scenery.world, m_scenery.terrain, v.eye.position);
+            m_scenery.world.forgetTouched();
+            m_scenery.terrain.forgetTouched();
+            m_geometry.begin(v, true);
+            m_pass.render(gpu, m_geometry.framebuffer(), m_scenery, v, io::Environment{}, pressers, settings);
+        });
+        std::vector<Plant> plants;
+        for (const glsl::GrassBlade& blade : m_pass.readBlades())
+            plants.push_back({glm::dvec3{blade.root} + v.eye.position, glm::unpackHalf2x16(blade.size).x, int(blade.look >> 8 & 15)});
+        return plants;
+    }
+
+    renderer::Settings settings;
+    std::vector<renderer::Presser> pressers;
+
+private:
+    test::PassBench m_bench;
+    test::TestWorld m_world;
+    renderer::Scenery m_scenery;
+    renderer::GrassPass m_pass;
+    renderer::GeometryPass m_geometry;
+};
+
+double groundAt(Meadow& meadow, glm::dvec2 place)
+{
+    return *meadow.world().scene.heights()->height(place.x, place.y);
+}
+
+// From above, so that all around the place is in view.
+io::Camera over(Meadow& meadow, glm::dvec2 place, double height = 14, float yaw = 0)
+{
+    return {.eye = {place.x, groundAt(meadow, place) + height, place.y}, .yaw = yaw, .pitch = -89, .fov = 60};
+}
+
+using Key = std::tuple<long, long, int, long>; // cell, kind, hundredths of a millimetre
+
+// What stands in a square of 4 m.
+std::set<Key> standingIn(const std::vector<Plant>& plants, glm::dvec2 corner)
+{
+    std::set<Key> found;
+    for (const Plant& plant : plants)
+        if (plant.root.x >= corner.x && plant.root.z >= corner.y && plant.root.x < corner.x + 4 && plant.root.z < corner.y + 4)
+            found.insert({long(std::floor(plant.root.x / double(GRASS_CELL))), long(std::floor(plant.root.z / double(GRASS_CELL))), plant.kind, std::lround(plant.height * 1e5f)});
+    return found;
+}
+
+TEST(Grass, IsTheSameFromEveryCameraAtEveryResolution)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    Meadow meadow;
+    const glm::dvec2 corner{12.25, -8.25};
+    const std::set<Key> first = standingIn(meadow.look(over(meadow, corner + 2.0)), corner);
+    EXPECT_GT(first.size(), 400u);
+    std::mt19937 random{5};
+    std::uniform_real_distribution<double> away{-5, 5}, height{7, 13}, turn{-180, 180};
+    for (int i = 0; i < 50; ++i) {
+        const glm::dvec2 place = corner + 2.0 + glm::dvec2{away(random), away(random)} * 0.35;
+        const glm::ivec2 size = i % 3 == 0 ? glm::ivec2{320, 180} : i % 3 == 1 ? glm::ivec2{97, 131} : glm::ivec2{640, 360};
+        const std::set<Key> seen = standingIn(meadow.look(over(meadow, place, height(random), float(turn(random))), size), corner);
+        EXPECT_TRUE(seen == first) << "camera " << i << ": " << seen.size() << " of " << first.size();
+    }
+}
+
+TEST(Grass, RootsLieOnTheGround)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    Meadow meadow;
+    const std::vector<Plant> plants = meadow.look(over(meadow, {20.3, 31.7}));
+    ASSERT_GT(plants.size(), 1000u);
+    double worst = 0;
+    for (const Plant& plant : plants)
+        worst = std::max(worst, std::abs(plant.root.y - groundAt(meadow, {plant.root.x, plant.root.z})));
+    EXPECT_LE(worst, 0.01); // m
+}
+
+TEST(Grass, IsAsDenseAsItWasPainted)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    for (const float share : {1.0f, 0.4f}) {
+        Meadow meadow{{{0, 0}, {share, 0}, 1}};
+        const glm::dvec2 middle{10, 10};
+        const std::vector<Plant> plants = meadow.look(over(meadow, middle));
+        const auto near = std::ranges::count_if(plants, [&](const Plant& p) { return glm::distance(glm::dvec2{p.root.x, p.root.z}, middle) < 6; });
+        const double density = double(near) / (3.14159265 * 36);
+        EXPECT_NEAR(density, 32 * double(share), 32 * double(share) * 0.05);
+    }
+}
+
+TEST(Grass, ThinsOutWithDistanceAndEnds)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    Meadow meadow;
+    const glm::dvec2 middle{0, 0};
+    const std::vector<Plant> plants = meadow.look({.eye = {0, groundAt(meadow, middle) + 90, 0}, .pitch = -89, .fov = 80}, {320, 320});
+    double before = 1e9;
+    for (int ring = 0; ring < 6; ++ring) {
+        const double from = ring * 10, to = from + 10;
+        const auto count = std::ranges::count_if(plants, [&](const Plant& p) {
+            const double away = glm::length(glm::dvec2{p.root.x, p.root.z});
+            return away >= from && away < to;
+        });
+        const double density = double(count) / (3.14159265 * (to * to - from * from));
+        EXPECT_LE(density, before * 1.05) << from;
+        before = density;
+    }
+    EXPECT_TRUE(std::ranges::all_of(plants, [](const Plant& p) { return glm::length(glm::dvec2{p.root.x, p.root.z}) < 60; }));
+}
+
+TEST(Grass, TwoKindsStandInOneField)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    io::GrassKind flowers{.name = "flowers", .density = 4};
+    Meadow meadow{{{0, 1}, {1, 0.5f}, 1}, {::meadow(), flowers}};
+    const std::vector<Plant> plants = meadow.look(over(meadow, {0, 0}));
+    const auto near = [&](int kind) {
+        return double(std::ranges::count_if(plants, [&](const Plant& p) { return p.kind == kind && glm::length(glm::dvec2{p.root.x, p.root.z}) < 7; })) / (3.14159265 * 49);
+    };
+    EXPECT_NEAR(near(0), 32, 1.6);
+    EXPECT_NEAR(near(1), 2, 0.3);
+}
+
+TEST(Grass, DoesNotGrowThroughAThousandThings)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    Meadow meadow;
+    test::TestWorld& world = meadow.world();
+    const io::TemplateId crate = test::addTemplate(world, "crate", test::box({1.3f, 1, 0.7f}, {0.5f, 0.4f, 0.3f, 1}));
+    const io::TemplateId post = test::addTemplate(world, "post", test::box({0.2f, 1, 0.2f}, {0.5f, 0.4f, 0.3f, 1}));
+    io::Template round = *world.scene.find(post);
+    round.model = "models/post.glb";
+    round.footprintShape = io::Footprint::Radius;
+    round.footprint = 0.5f;
+    world.scene.exchange(post, round);
+    io::Template box = *world.scene.find(crate);
+    box.model = "models/crate.glb";
+    world.scene.exchange(crate, box);
+    std::mt19937 random{9};
+    std::uniform_real_distribution<double> across{-28, 28}, turn{-180, 180}, size{0.6, 1.6};
+    struct Thing {
+        glm::dvec2 at;
+        double turn, scale;
+        bool round;
+    };
+    std::vector<Thing> things;
+    for (int i = 0; i < 1000; ++i) {
+        const Thing thing{{across(random), across(random)}, turn(random), size(random), i % 2 == 1};
+        test::addObject(world, thing.round ? post : crate, {.position = {thing.at.x, groundAt(meadow, thing.at), thing.at.y}, .rotation = {0, thing.turn, 0}, .scale = glm::vec3(float(thing.scale))});
+        things.push_back(thing);
+    }
+    meadow.follow({.everything = true});
+    const std::vector<Plant> plants = meadow.look({.eye = {0, groundAt(meadow, {0, 0}) + 45, 0}, .pitch = -89, .fov = 80}, {320, 320});
+    ASSERT_GT(plants.size(), 5000u);
+    int inside = 0;
+    for (const Plant& plant : plants)
+        for (const Thing& thing : things) {
+            const glm::dvec2 away = glm::dvec2{plant.root.x, plant.root.z} - thing.at;
+            if (thing.round) {
+                inside += glm::length(away) < (0.5) * thing.scale;
+                continue;
+            }
+            const double a = glm::radians(thing.turn);
+            const glm::dvec2 own{away.x * std::cos(a) - away.y * std::sin(a), away.x * std::sin(a) + away.y * std::cos(a)};
+            inside += std::abs(own.x) < 0.65 * thing.scale && std::abs(own.y) < 0.35 * thing.scale;
+        }
+    EXPECT_EQ(inside, 0);
+}
+
+TEST(Grass, ComesBackWhereAThingWas)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    Meadow meadow;
+    const std::vector<Plant> before = meadow.look(over(meadow, {0, 0}));
+    test::TestWorld& world = meadow.world();
+    const io::TemplateId crate = test::addTemplate(world, "crate", test::box({2, 1, 2}, {0.5f, 0.4f, 0.3f, 1}));
+    io::Template box = *world.scene.find(crate);
+    box.model = "models/crate.glb";
+    world.scene.exchange(crate, box);
+    const io::ObjectId id = test::addObject(world, crate, {.position = {0, groundAt(meadow, {0, 0}), 0}});
+    meadow.follow({.objects = {id}, .templates = {crate}});
+    const std::vector<Plant> with = meadow.look(over(meadow, {0, 0}));
+    EXPECT_LT(with.size(), before.size() - 60);
+    world.scene.exchange(id, std::nullopt);
+    meadow.follow({.objects = {id}});
+    EXPECT_EQ(meadow.look(over(meadow, {0, 0})).size(), before.size());
+}
+
+TEST(Grass, MoreThanThereIsRoomForIsLeftOut)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    Meadow meadow;
+    meadow.settings.mostBlades = 500;
+    EXPECT_EQ(meadow.look(over(meadow, {0, 0})).size(), 500u);
+    meadow.settings.mostBlades = 0;
+    EXPECT_EQ(meadow.look(over(meadow, {0, 0})).size(), 0u);
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
+} // namespace
