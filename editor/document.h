@@ -145,6 +145,9 @@ void setHeights(Document& document, std::string name, std::shared_ptr<const io::
 void setCover(Document& document, std::string name, std::shared_ptr<const io::CoverMap> cover, const io::TexelRect& changed);
 void setCameras(Document& document, std::string name, std::vector<io::Camera> cameras);
 void setPaths(Document& document, std::string name, std::vector<io::CameraPath> paths);
+void setScatterLayers(Document& document, std::string name, std::vector<io::ScatterLayer> layers);
+void removeScatterLayer(Document& document, std::string name, io::ScatterId id); // with its instances
+void setInstances(Document& document, std::string name, std::vector<SwapInstances::Slot> tiles);
 void setTemplate(Document& document, std::string name, io::TemplateId id, std::optional<io::Template> value);
 void addObjects(Document& document, std::string name, std::vector<io::Object> objects);      // each with a fresh id
 void removeObjects(Document& document, std::string name, std::span<const io::ObjectId> ids); // with the groups' members

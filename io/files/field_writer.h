@@ -52,7 +52,7 @@ public:
 
     template <class T> void operator()(std::string_view key, const T& value, const Hint& hint)
     {
-        if constexpr (std::is_same_v<T, std::string>)
+        if constexpr (std::is_same_v<T, std::string> || List<T>)
             if (hint.optional && value.empty()) return;
         name(key);
         write(value, m_depth, m_extra, m_prefix + escapedKey(key) + ".");

@@ -63,6 +63,7 @@ constexpr Hint kIdHint{.min = 1, .max = kHighestId};
 struct SceneBody {
     std::string environment;
     Terrain terrain;
+    std::vector<ScatterLayer> scatter;
     Extra extra;
 };
 
@@ -70,6 +71,7 @@ void fields(auto& v, Of<SceneBody> auto& s)
 {
     v("environment", s.environment, Hint{.style = Style::Path});
     v("terrain", s.terrain, Hint{});
+    v("scatter", s.scatter, Hint{.optional = true});
 }
 
 // An object as its line has it: led by its id.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/scene/ids.h"
+#include "io/scene/instances.h"
 #include "io/scene/texel_rect.h"
 
 #include <vector>
@@ -16,12 +17,14 @@ struct Changes {
     bool terrain = false;
     std::vector<TexelRect> heights; // parts of the ground that rose or sank; all of it for another map
     std::vector<TexelRect> cover;   // parts of it that were painted
+    bool scatter = false;                // the list of scatter layers, or what one of them says
+    std::vector<LayerTile> instances;    // tiles of which instances came, went or changed
     bool everything = false; // another scene: rebuild
 
     bool none() const
     {
         return objects.empty() && templates.empty() && !environment && !cameras && !terrain &&
-               heights.empty() && cover.empty() && !everything;
+               heights.empty() && cover.empty() && !scatter && instances.empty() && !everything;
     }
     void add(const Changes& other)
     {
@@ -32,6 +35,8 @@ struct Changes {
         terrain |= other.terrain;
         heights.insert(heights.end(), other.heights.begin(), other.heights.end());
         cover.insert(cover.end(), other.cover.begin(), other.cover.end());
+        scatter |= other.scatter;
+        instances.insert(instances.end(), other.instances.begin(), other.instances.end());
         everything |= other.everything;
     }
 };
