@@ -306,6 +306,7 @@ void fields(auto& v, Of<Species> auto& s)
     v("template", s.templateName, Hint{});
     v("weight", s.weight, Hint{.min = 0, .max = 1000});
     v("scale", s.scale, Hint{.min = 0.001, .max = 1000});
+    v("spacing", s.spacing, Hint{.min = 0, .max = 1000, .unit = "m", .style = Style::Logarithmic});
 }
 
 void fields(auto& v, Of<ScatterLayer> auto& l)
@@ -325,6 +326,8 @@ void fields(auto& v, Of<ScatterLayer> auto& l)
     v("altitude", l.altitude, Hint{.min = -100000, .max = 100000, .unit = "m"});
     v("ground", l.ground, Hint{.optional = true});
     v("clearance", l.clearance, Hint{.min = 0, .max = 1000, .unit = "m", .style = Style::Logarithmic});
+    v("meshes", l.meshes, Hint{});
+    v("shown", l.shown, Hint{});
     v("seed", l.seed, Hint{.min = 0, .max = 4294967295.0});
 }
 

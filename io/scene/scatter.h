@@ -17,6 +17,7 @@ struct Species {
     std::string templateName; // by name, as a template may be missing
     float weight = 1;         // share of it among those of its layer
     glm::vec2 scale{1};       // factors, in addition to the layer's
+    float spacing = 0;        // m, the least between two of this species
     Extra extra;
     bool operator==(const Species&) const = default;
 };
@@ -36,7 +37,9 @@ struct ScatterLayer {
     glm::vec2 slope{0, 35};      // degrees from level
     glm::vec2 altitude{-1e5f, 1e5f}; // m
     std::string ground;          // only where this terrain layer shows; empty: anywhere
-    float clearance = 0;         // m, to objects and instances of other layers
+    float clearance = 0;         // m, to the footprints of objects
+    bool meshes = false;         // also on top of objects, not on the ground alone
+    bool shown = true;           // drawn and picked
     std::uint32_t seed = 1;
     Extra extra;
     bool operator==(const ScatterLayer&) const = default;
