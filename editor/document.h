@@ -34,6 +34,7 @@ public:
 
     // Ids are taken by being handed out, used or not.
     io::ObjectId freshId() { return m_world.scene.freshId(); }
+    io::ScatterId freshScatterId() { return m_world.scene.freshScatterId(); }
     io::TemplateId templateSlot(std::string_view name) { return m_world.scene.templateSlot(name); }
 
     // Does the command and keeps it for undo. One that would change nothing is dropped.

@@ -50,12 +50,12 @@ public:
     PlaneRect wholeSquares(const PlaneRect& part) const; // that it touches
     int wanted(const glm::ivec2& square) const;
     double side() const { return m_side; } // m
+    std::uint32_t kindFor(double share) const; // 0..1, of the weights
     const PatternRules& rules() const { return m_rules; }
 
 private:
     struct Grid;
     std::uint64_t seedOf(const glm::ivec2& square) const;
-    std::uint32_t kindFor(double share) const;
     void fill(Grid& grid, const glm::ivec2& square) const;
     bool hasRoom(const Grid& grid, const glm::ivec2& square, const PatternPoint& point) const;
 

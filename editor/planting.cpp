@@ -219,6 +219,15 @@ std::vector<Plant> Planting::plants(const PlaneRect& part, const std::function<b
     return found;
 }
 
+std::optional<Plant> Planting::one(const glm::dvec3& point, std::uint64_t seed) const
+{
+    if (m_pattern.rules().density <= 0) return std::nullopt;
+    Random random{seed};
+    const PatternPoint chosen{.at = {point.x, point.z}, .kind = m_pattern.kindFor(random.unit()), .seed = random.bits()};
+    const std::optional<PlantSpot> spot = spotAt(chosen.at);
+    return Plant{chosen.kind, transformOf(chosen, spot ? *spot : PlantSpot{point, {0, 1, 0}})};
+}
+
 std::unordered_map<std::uint64_t, int> Planting::strangersAmong(std::span<const PatternPoint> points, const Standing& standing) const
 {
     std::unordered_map<std::uint64_t, int> strangers;

@@ -91,6 +91,9 @@ public:
     // Plants in `part` where `wanted` (none: everywhere) lets them, besides those that stand there.
     std::vector<Plant> plants(const PlaneRect& part, const std::function<bool(const glm::dvec2&)>& wanted = {}, const Standing* standing = nullptr) const;
 
+    // One of the mix at a place that a person chose, whatever the rules say. None: every kind is missing.
+    std::optional<Plant> one(const glm::dvec3& point, std::uint64_t seed) const;
+
 private:
     struct Obstacle {
         glm::dvec2 at;

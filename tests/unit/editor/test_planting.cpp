@@ -31,7 +31,7 @@ double nearest(const std::vector<PatternPoint>& points, auto&& counts)
 
 constexpr auto kAny = [](const PatternPoint&, const PatternPoint&) { return true; };
 
-// Flat ground of 512 m with templates of a forest, and a layer of two species.
+// Flat ground of 1024 m with templates of a forest, and a layer of two species.
 struct Field {
     std::unique_ptr<Document> document = test::forest(0, 1);
     io::ScatterLayer layer{.id = io::ScatterId{1}, .name = "wood", .species = {{.templateName = "blob"}, {.templateName = "leaf", .weight = 3}}};
@@ -144,7 +144,7 @@ TEST(Planting, ThinsToAShareOnceAndTakesOnlySpeciesThatAreMeant)
     const PlantRegion all = PlantRegion::everywhere();
     field.run(planted(field.tiles(), field.planting(), all));
     const auto full = double(field.count());
-    EXPECT_NEAR(full, 0.1 * 512 * 512, 0.1 * 512 * 512 * 0.05);
+    EXPECT_NEAR(full, 0.1 * 1024 * 1024, 0.1 * 1024 * 1024 * 0.05);
     field.run(thinned(field.tiles(), all, 0.4));
     EXPECT_NEAR(double(field.count()), full * 0.4, full * 0.02);
     const std::uint64_t once = field.hash();
@@ -224,7 +224,7 @@ TEST(Planting, RuleLayersFollowTheGroundAndKeepWhatWasDoneByHand)
     field.run(*evaluated(field.tiles(), field.planting(), all));
     const std::uint64_t first = field.hash();
     const auto full = double(field.count());
-    EXPECT_NEAR(full, 0.1 * 512 * 512, 0.1 * 512 * 512 * 0.05);
+    EXPECT_NEAR(full, 0.1 * 1024 * 1024, 0.1 * 1024 * 1024 * 0.05);
     field.run(*evaluated(field.tiles(), field.planting(), all));
     EXPECT_EQ(field.hash(), first);
 
