@@ -63,29 +63,30 @@ std::vector<io::TemplateId> ScatterStroke::meant() const
 
 void ScatterStroke::to(const glm::dvec3& point)
 {
-    const std::optional<glm::dvec3> last = m_way.empty() ? std::nullopt : std::optional{m_way.back()};
+    const bool begins = m_way.empty();
+    const glm::dvec2 last = flat(begins ? point : m_way.back());
     if (m_brush.mode == ScatterMode::Single) {
-        if (!last) plantOne(point);
+        if (begins) plantOne(point);
         m_way = {point};
         return;
     }
     if (m_brush.mode == ScatterMode::Lasso) {
-        if (!last || glm::distance(flat(*last), flat(point)) >= kCorner) m_way.push_back(point);
+        if (begins || glm::distance(last, flat(point)) >= kCorner) m_way.push_back(point);
         return;
     }
     m_way = {point};
     const double spacing = double(m_brush.radius) * kSpacing;
-    if (!last) {
-        dab(flat(point));
+    if (begins) {
+        dab(last);
         m_toNext = spacing;
         return;
     }
-    const glm::dvec2 from = flat(*last), way = flat(point) - from;
+    const glm::dvec2 way = flat(point) - last;
     const double length = glm::length(way);
     if (length == 0) return;
     double at = m_toNext;
     for (; at <= length; at += spacing)
-        dab(from + way * (at / length));
+        dab(last + way * (at / length));
     m_toNext = at - length;
 }
 
