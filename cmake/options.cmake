@@ -25,3 +25,10 @@ if(WOLD_ASAN)
     target_compile_options(project_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_link_options(project_options INTERFACE -fsanitize=address,undefined)
 endif()
+
+# keep_libraries(wold): libraries that the program opened stay to its end, so that what they keep is not said to leak.
+function(keep_libraries name)
+    if(WOLD_ASAN)
+        target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/keep_libraries.cpp)
+    endif()
+endfunction()
