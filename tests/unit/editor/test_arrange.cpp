@@ -105,3 +105,43 @@ TEST(Arrange, AMovedGroupTakesItsMembersAlong)
     moveBy(*document, "Move", std::vector{holder, io::ObjectId{2}}, {0, 0, 4});
     EXPECT_EQ(document->scene().at(io::ObjectId{2}).transform.position, before + (glm::dvec3{0, 0, 4}));
 }
+
+TEST(Arrange, ScatteredCopiesKeepTheirDistanceAndRepeatBySeed)
+{
+    const auto make = [] {
+        auto document = test::forest(30, 1);
+        io::Template what = *document->scene().find(io::TemplateId{2});
+        what.footprint = 1.5f;
+        setTemplate(*document, "Footprint", io::TemplateId{2}, what);
+        return document;
+    };
+    const ScatterOptions options{.templates = {io::TemplateId{1}, io::TemplateId{2}},
+                                 .radius = 60,
+                                 .density = 0.05,
+                                 .seed = 11,
+                                 .slope = {0, 35}};
+    const auto document = make();
+    const auto ids = scatter(*document, options);
+    const double wanted = options.density * std::numbers::pi * options.radius * options.radius;
+    EXPECT_NEAR(double(ids.size()), wanted, wanted * 0.05);
+
+    const auto footprint = [&](const io::Object& o) { return o.templateId == io::TemplateId{2} ? 1.5 : 0.0; };
+    const auto flat = [](const io::Object& o) { return glm::dvec2{o.transform.position.x, o.transform.position.z}; };
+    for (const io::ObjectId id : ids) {
+        const io::Object& one = document->scene().at(id);
+        EXPECT_LE(glm::length(flat(one)), 60.0);
+        EXPECT_NEAR(boundsOf(*document, std::vector{id}).min.y,
+                    *document->scene().heights()->height(flat(one).x, flat(one).y), 0.01);
+        EXPECT_GT(document->scene().heights()->normal(flat(one).x, flat(one).y)->y, std::cos(glm::radians(35.1)));
+        for (const io::Object& other : document->scene().objects())
+            if (other.id != id && glm::distance(flat(one), flat(other)) + 1e-9 < footprint(one) + footprint(other))
+                FAIL() << io::number(id) << " stands in " << io::number(other.id);
+    }
+    const auto again = make();
+    scatter(*again, options);
+    EXPECT_EQ(test::text(again->scene()), test::text(document->scene()));
+    const std::size_t steps = document->history().position();
+    document->undo();
+    EXPECT_EQ(document->scene().objects().size(), 30u);
+    EXPECT_EQ(steps, 2u);
+}
