@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string_view>
 
 namespace editor {
 namespace {
@@ -39,7 +40,10 @@ void kindFields(Editor& editor, std::size_t index)
 {
     io::Grass shown = editor.document()->scene().grass();
     FieldUi ui{{.prefix = "grass_kind.", .defaults = scalarsOf(io::GrassKind{})}};
-    fields(ui, shown.kinds[index]);
+    const auto blades = [&](const char* key, auto& value, const io::Hint& hint) {
+        if (std::string_view{key} != "plant") ui(key, value, hint); // only blades are drawn so far
+    };
+    fields(blades, shown.kinds[index]);
     if (ui.changes().empty()) return;
     editor.beginEdit(ui.changedKey() + std::to_string(index), trf("undo.edit", ui.changedLabel()));
     setGrass(*editor.document(), ui.changedLabel(), std::move(shown));

@@ -5,13 +5,18 @@
 #include "editor/text.h"
 #include "editor/widgets.h"
 
+#include <string_view>
+
 namespace editor {
 
 void RenderingPanel::draw(Editor& editor)
 {
     if (ui::section("passes", tr("section.rendering"))) {
         FieldUi ui{{.prefix = "render.", .defaults = scalarsOf(renderer::Settings{})}};
-        fields(ui, editor.renderSettings);
+        const auto shown = [&](const char* key, auto& value, const io::Hint& hint) {
+            if (std::string_view{key} != "grass_method") ui(key, value, hint); // there is one so far
+        };
+        fields(shown, editor.renderSettings);
     }
     if (ui::section("show", tr("section.show"))) {
         const auto names = enumNames(editor.show);

@@ -13,6 +13,7 @@ constexpr int kMostTint = 512;          // texels along a side
 constexpr float kManyVertices = 60;     // pixels of height from which a blade has 15 of them
 constexpr std::uint32_t kShapes[GRASS_SHAPES] = {7, 3, 1}; // segments of each
 constexpr std::size_t kCommandBytes = 16;
+constexpr float kAnywhere = 1e9f; // m
 
 void storage(GLuint binding, GLuint buffer)
 {
@@ -76,7 +77,10 @@ bool GrassPass::place(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoin
     makeRoom(frame.most);
     frame.room = m_room;
     frame.shapeAngle = float(kManyVertices * pixelAngle(eye));
-    frame.water = environment.water.on ? float(environment.water.level) : -1e6f;
+    frame.water = environment.water.level;
+    if (!environment.water.on) // then any height will do
+        for (glsl::GrassKind& kind : frame.kind)
+            kind.aboveWater = {-kAnywhere, kAnywhere};
     frame.wind = viewpoint.wind;
     if (m_tint) frame.tintScale = 1.0f / glm::vec2{scenery.terrain.heights()->size};
     frame.pressers = int(std::min({pressers.size(), kMostPressers, std::size_t(GRASS_PRESSERS)}));

@@ -18,7 +18,7 @@ TEST_F(Faults, wrongWordsEndWithTwo)
     expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "environment.fog.densitty=1"}),
                  "densitty");
     expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "environment.time=noon"}), "noon");
-    expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "render.grass=on"}),
+    expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "render.grass_method=seeds"}),
                  "comes with a later release");
     expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "colour=red"}), "colour");
     expectMisuse(wold({"render", project, "--out", folder / "a.png", "--look", "tuesday"}), "golden-hour");

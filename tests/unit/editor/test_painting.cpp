@@ -49,7 +49,7 @@ TEST(Cover, BitsComeBack)
             const io::Cover cover{base, 31 - base, float(byte) / 255, float(255 - byte) / 255};
             EXPECT_EQ(io::unpacked(io::packed(cover)), cover);
         }
-    EXPECT_EQ(io::packed({}), 0u);
+    EXPECT_EQ(io::packed(io::Cover{}), 0u);
 }
 
 TEST(Cover, EveryStrokeOfALayerBringsMoreOfItUntilNothingElseShows)
