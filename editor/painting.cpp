@@ -28,7 +28,10 @@ std::string fileBesideHeights(const Document& document, const char* what)
     namespace fs = std::filesystem;
     const std::string& named = document.scene().terrain().heightMap;
     const fs::path heights = named.empty() ? fs::path{"terrain/heights.png"} : fs::path{named};
-    return io::freshFile(document.project().folder, heights.parent_path() / (heights.stem().string() + what), ".png");
+    const fs::path beside = heights.parent_path() / (heights.stem().string() + what + ".png");
+    std::error_code fault; // what cannot be looked at is not overwritten either
+    if (!fs::exists(document.project().folder / beside, fault) && !fault) return beside.generic_string();
+    return io::freshFile(document.project().folder, beside, ".png");
 }
 
 } // namespace
