@@ -62,6 +62,8 @@ void GrassPass::updateTint(GpuFrame& gpu, Scenery& scenery)
     if (!gpu.use(program)) return;
     gl::apply({});
     glProgramUniform4f(program.id(), 0, 0, 0, 1, 1);
+    if (!m_bare.id()) m_bare = gl::VertexArray{"ground tint"};
+    glBindVertexArray(m_bare.id());
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     gpu.count(1, 2);
     m_tintOf = terrain.shown();

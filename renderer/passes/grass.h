@@ -26,7 +26,7 @@ private:
     const gl::Program& m_commandsProgram;
     gl::Buffer m_blades, m_counts, m_commands;
     std::uint32_t m_room = 0; // of each shape
-    gl::VertexArray m_strips;
+    gl::VertexArray m_strips, m_bare; // the second has no vertices
     gl::Texture m_tint;
     std::uint64_t m_tintOf = ~std::uint64_t(0); // what the ground looked like
     GpuReadback<glsl::GrassCounts> m_readback;
