@@ -205,6 +205,7 @@ io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::
     const auto templateFilesBefore = m_world.templateFiles;
     const auto heightFilesBefore = m_world.heightFiles;
     const auto coverFilesBefore = m_world.coverFiles;
+    const auto instanceFilesBefore = m_world.instanceFiles;
     const io::Terrain terrainBefore = m_world.scene.terrain();
     const std::uint64_t savedBefore = m_savedState;
     m_world.project.folder = half;
@@ -222,6 +223,7 @@ io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::
         m_world.templateFiles = templateFilesBefore;
         m_world.heightFiles = heightFilesBefore;
         m_world.coverFiles = coverFilesBefore;
+        m_world.instanceFiles = instanceFilesBefore;
         m_world.scene.exchange(terrainBefore);
         m_savedState = savedBefore;
         fs::remove_all(half, fault);

@@ -1,12 +1,11 @@
 // Steps of a document that scatter layers ask for beside those of a brush: rules that follow the ground, and plants that become
-// objects and the other way round.
+// objects (single ones, and the other way round: editor/instance_edits.h).
 #pragma once
 
 #include "editor/document.h"
 #include "editor/picker.h"
 #include "editor/scatter_edits.h"
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -29,7 +28,5 @@ void liftPlants(Document& document, const std::string& name, const io::HeightMap
 void clearPlants(Document& document, const std::string& name, io::ScatterId layer);
 
 std::vector<io::ObjectId> plantsToObjects(Document& document, const std::string& name, io::ScatterId layer, const PlantRegion& region);
-// Those that are copies of a species of the layer, stand in no group and are as large along all axes; how many they are.
-std::size_t objectsToPlants(Document& document, const std::string& name, const io::ScatterLayer& layer, std::span<const io::ObjectId> ids);
 
 } // namespace editor

@@ -2,6 +2,7 @@
 
 #include "editor/editor.h"
 #include "editor/field_ui.h"
+#include "editor/instance_edits.h"
 #include "editor/numbers_text.h"
 #include "editor/scatter_steps.h"
 #include "editor/text.h"
@@ -222,7 +223,7 @@ void ScatterPanel::conversion(Editor& editor, const io::ScatterLayer& layer)
         editor.step("undo.plants_to_objects", [&](Document& d) { plantsToObjects(d, tr("undo.plants_to_objects"), layer.id, PlantRegion::everywhere()); });
     ImGui::SameLine(0, kGap);
     if (ui::button("to_plants", tr("plants.to_plants"), ui::Emphasis::Normal, {half, 0}))
-        editor.step("undo.objects_to_plants", [&](Document& d) { objectsToPlants(d, tr("undo.objects_to_plants"), layer, editor.selection().ids()); });
+        editor.step("undo.objects_to_plants", [&](Document& d) { demote(d, tr("undo.objects_to_plants"), editor.selection().ids(), layer.id); });
     ui::softText(tr("plants.convert_tip"));
 }
 

@@ -3,6 +3,7 @@
 
 #include "editor/placement.h"
 #include "editor/scatter.h"
+#include "editor/scatter_brush.h"
 #include "editor/scatter_edits.h"
 
 #include <algorithm>
@@ -270,6 +271,26 @@ TEST(Planting, GrowsOnWhatLiesOnTopWhereAsked)
         EXPECT_GE(plant.transform.position.x, 10);
         EXPECT_GT(plant.transform.position.y, 6.9); // of the model's foot
     }
+}
+
+TEST(Planting, LayersThatAreNotShownAreNotPicked)
+{
+    Field field;
+    setScatterLayers(*field.document, "Layer", {field.layer});
+    const ScatterBrush brush{.mode = ScatterMode::Single};
+    Picker picker;
+    test::followed(picker, *field.document);
+    ScatterStroke stroke{*field.document, picker, brush, field.layer.id, "One"};
+    stroke.to({field.middle().x, 0, field.middle().y});
+    stroke.end();
+    ASSERT_EQ(field.count(), 1u);
+    const io::Ray down{.origin = {field.middle().x, 50, field.middle().y}, .direction = {0, -1, 0}};
+    EXPECT_EQ(test::followed(picker, *field.document).pick(down).surface, Surface::Instance);
+    field.layer.shown = false;
+    setScatterLayers(*field.document, "Hide", {field.layer});
+    EXPECT_EQ(test::followed(picker, *field.document).pick(down).surface, Surface::Terrain);
+    field.document->undo();
+    EXPECT_EQ(test::followed(picker, *field.document).pick(down).surface, Surface::Instance);
 }
 
 TEST(Scatter, CopiesKeepTheirDistanceAndRepeatBySeed)
