@@ -170,7 +170,7 @@ TEST(EditedInstances, RaysMeetThemAsTheyMeetObjects)
     io::Random random{4};
     int met = 0;
     for (int i = 0; i < 600; ++i) {
-        hits.push_back(picker.pick(randomRay(random)));
+        hits.push_back(picker.pick(randomRay(random), {.terrain = false}));
         if (hits.back().surface != Surface::Instance) continue;
         ++met;
         const auto instance = document->scene().findInstance(hits.back().id);
@@ -182,21 +182,25 @@ TEST(EditedInstances, RaysMeetThemAsTheyMeetObjects)
     test::followed(picker, *document);
     io::Random again{4};
     for (const PickHit& before : hits) {
-        const PickHit now = picker.pick(randomRay(again));
+        const PickHit now = picker.pick(randomRay(again), {.terrain = false});
         ASSERT_EQ(bool(now), bool(before));
-        if (now) ASSERT_NEAR(now.distance, before.distance, 1e-6);
-        if (now.surface == Surface::Instance) ASSERT_TRUE(document->scene().findInstance(now.id));
+        if (now) {
+            ASSERT_NEAR(now.distance, before.distance, 1e-6);
+        }
+        if (now.surface == Surface::Instance) {
+            ASSERT_TRUE(document->scene().findInstance(now.id));
+        }
     }
     document->undo();
     test::followed(picker, *document);
     io::Random third{4};
     for (const PickHit& before : hits)
-        ASSERT_EQ(picker.pick(randomRay(third)).surface, before.surface);
+        ASSERT_EQ(picker.pick(randomRay(third), {.terrain = false}).surface, before.surface);
     removeScatterLayer(*document, "Delete layer", kLayer);
     test::followed(picker, *document);
     io::Random fourth{4};
     for (int i = 0; i < 600; ++i)
-        ASSERT_NE(picker.pick(randomRay(fourth)).surface, Surface::Instance);
+        ASSERT_NE(picker.pick(randomRay(fourth), {.terrain = false}).surface, Surface::Instance);
 }
 
 TEST(EditedInstances, ASelectionDropsThoseWhoseTileChanged)
