@@ -211,11 +211,11 @@ TEST(EditedInstances, ASelectionDropsThoseWhoseTileChanged)
     const io::LayerTile one{kLayer, tiles.begin()->first}, other{kLayer, std::prev(tiles.end())->first};
     Selection selection;
     selection.add(document->scene().idOf({one, 0}));
-    selection.add(document->scene().idOf({other, 1}));
+    selection.add(document->scene().idOf({other, 0}));
     setInstances(*document, "Erase", {{one, nullptr}});
     selection.follow(document->scene(), document->takeChanges());
     ASSERT_EQ(selection.size(), 1u);
-    EXPECT_EQ(selection.primary(), document->scene().idOf({other, 1}));
+    EXPECT_EQ(selection.primary(), document->scene().idOf({other, 0}));
 }
 
 TEST(EditedInstances, ScriptsListPromoteAndDemoteThem)
