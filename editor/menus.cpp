@@ -248,7 +248,7 @@ float toolbar(Editor& editor, float top)
     divider();
     tools(editor, {"undo", "redo"});
     divider();
-    tools(editor, {"tool_select", "tool_move", "tool_rotate", "tool_scale", "tool_sculpt"});
+    tools(editor, {"tool_select", "tool_move", "tool_rotate", "tool_scale", "tool_sculpt", "tool_scatter"});
     divider();
     tools(editor, {"space", "snap"});
     divider();

@@ -1,6 +1,5 @@
 #include "editor/scatter_steps.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace editor {
@@ -22,15 +21,10 @@ Planting plantingOf(const Document& document, const io::ScatterLayer& layer, con
     return {plantRules(document.scene(), document.assets(), layer), document.scene(), std::move(surface)};
 }
 
-bool anyRules(const io::Scene& scene)
-{
-    return std::ranges::any_of(scene.scatterLayers(), &io::ScatterLayer::rule);
-}
-
 void followRules(Document& document, const std::string& name, const PlaneRect& bounds)
 {
     for (const io::ScatterLayer& layer : std::vector<io::ScatterLayer>{document.scene().scatterLayers().begin(), document.scene().scatterLayers().end()})
-        if (layer.rule)
+        if (layer.rule && !layer.meshes)
             if (auto slots = evaluated(layerTiles(document.scene(), layer), plantingOf(document, layer), bounds)) setInstances(document, name, *std::move(slots));
 }
 

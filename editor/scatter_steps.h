@@ -17,9 +17,9 @@ PlantSurface visibleSurface(const io::Scene& scene, const Picker& picker);
 // With a picker, which is up to date and outlives it, a layer that grows on meshes does.
 Planting plantingOf(const Document& document, const io::ScatterLayer& layer, const Picker* picker = nullptr);
 
-// All rule layers over those bounds. Their ids, as far as they have to be looked at.
+// All layers of rules that grow on the ground alone, over those bounds. What else grows on objects is left as it is, as rays know
+// nothing of the new ground yet.
 void followRules(Document& document, const std::string& name, const PlaneRect& bounds);
-bool anyRules(const io::Scene& scene);
 
 // Plants of all layers that stood on the ground as it was do so on the one that is there. Nothing is asked of rules.
 void liftPlants(Document& document, const std::string& name, const io::HeightMap& before, const PlaneRect& bounds);

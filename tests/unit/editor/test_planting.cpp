@@ -258,6 +258,26 @@ TEST(Planting, RuleLayersFollowTheGroundAndKeepWhatWasDoneByHand)
     EXPECT_FALSE(evaluated(field.tiles(), field.planting(), all, [](float, std::string_view) { return false; }));
 }
 
+TEST(Planting, RulesKeepAwayFromWhatWasPlantedByHand)
+{
+    Field field;
+    field.layer.rule = true;
+    const PlantRegion disc = PlantRegion::disc(field.middle(), 60);
+    field.layer.seed = 99;
+    field.run(planted(field.tiles(), field.planting(), disc));
+    field.layer.seed = 1;
+    field.run(*evaluated(field.tiles(), field.planting(), PlantRegion::everywhere().bounds()));
+    const double wanted = 0.1 * std::numbers::pi * 3600;
+    EXPECT_NEAR(double(field.count(disc)), wanted, wanted * 0.05); // those by hand count
+    std::vector<PatternPoint> all;
+    for (const auto& [place, tile] : field.scene().instances(field.layer.id))
+        for (const io::Instance& instance : tile->instances) {
+            const glm::dvec3 at = transformOf(place, instance).position;
+            if (disc.contains({at.x, at.z})) all.push_back({.at = {at.x, at.z}});
+        }
+    EXPECT_GE(nearest(all, kAny), double(field.layer.spacing));
+}
+
 TEST(Planting, GrowsOnWhatLiesOnTopWhereAsked)
 {
     Field field;
