@@ -14,6 +14,12 @@ constexpr double kTall = 1e5;              // m: things at any height
 constexpr double kAfloat = 0.6;            // m over the ground, from where on nothing is kept out of
 constexpr std::int64_t kStep = 64;         // texels that the window moves by
 
+// With one more on each side.
+io::TexelRect texelsAround(const glm::dvec2& from, const glm::dvec2& to) // world, m
+{
+    return {io::Texel{glm::floor(from / kTexel)} - io::Texel{1}, io::Texel{glm::ceil(to / kTexel)} + io::Texel{1}};
+}
+
 } // namespace
 
 void FootprintMask::update(const World& world, const Terrain& terrain, const glm::dvec3& eye)
@@ -22,28 +28,25 @@ void FootprintMask::update(const World& world, const Terrain& terrain, const glm
         m_texture = gl::Texture{{.label = "footprints", .size = glm::ivec2{m_side}, .format = GL_R8, .filter = GL_NEAREST, .wrap = GL_REPEAT}};
         m_texels.resize(std::size_t(m_side) * std::size_t(m_side));
     }
-    const glm::i64vec2 middle = glm::i64vec2{glm::floor(glm::dvec2{eye.x, eye.z} / kTexel / double(kStep))} * kStep;
-    const Window window{middle - std::int64_t(m_side / 2), middle + std::int64_t(m_side / 2)};
+    const io::Texel middle = io::Texel{glm::floor(glm::dvec2{eye.x, eye.z} / kTexel / double(kStep))} * kStep, half{m_side / 2};
+    const io::TexelRect window{middle - half, middle + half};
     const bool all = !m_known || world.revision() != m_worldRevision || terrain.revision() != m_terrainRevision;
-    const Window before = m_window;
+    const io::TexelRect before = all ? io::TexelRect{} : m_window;
     m_window = window;
     m_known = true;
     m_worldRevision = world.revision();
     m_terrainRevision = terrain.revision();
-    const Window kept = common(window, before);
-    if (all || kept.empty()) return redraw(world, terrain, window);
-    // What came in: strips beside what is kept, along x and along z.
-    for (const Window& strip : {Window{window.low, {window.high.x, kept.low.y}}, Window{{window.low.x, kept.high.y}, window.high},
-                                Window{{window.low.x, kept.low.y}, {kept.low.x, kept.high.y}}, Window{{kept.high.x, kept.low.y}, {window.high.x, kept.high.y}}})
-        redraw(world, terrain, strip);
+    for (const io::TexelRect& part : io::without(window, before)) // what came in
+        redraw(world, terrain, part);
+    if (all) return;
     for (const std::span<const glm::dvec4> spheres : {world.touched(), terrain.touched()})
         for (const glm::dvec4& sphere : spheres) {
             const glm::dvec2 centre{sphere.x, sphere.z};
-            redraw(world, terrain, common(window, {glm::i64vec2{glm::floor((centre - sphere.w) / kTexel)} - std::int64_t(1), glm::i64vec2{glm::ceil((centre + sphere.w) / kTexel)} + std::int64_t(1)}));
+            redraw(world, terrain, common(window, texelsAround(centre - sphere.w, centre + sphere.w)));
         }
 }
 
-void FootprintMask::redraw(const World& world, const Terrain& terrain, const Window& part)
+void FootprintMask::redraw(const World& world, const Terrain& terrain, const io::TexelRect& part)
 {
     if (part.empty()) return;
     for (std::int64_t z = part.low.y; z < part.high.y; ++z)
@@ -57,7 +60,7 @@ void FootprintMask::redraw(const World& world, const Terrain& terrain, const Win
     send(part);
 }
 
-void FootprintMask::draw(const glsl::Instance& instance, const io::FootprintShape& shape, const Window& part, const Terrain& terrain)
+void FootprintMask::draw(const glsl::Instance& instance, const io::FootprintShape& shape, const io::TexelRect& part, const Terrain& terrain)
 {
     const glm::dvec3 position = glm::dvec3{instance.positionHigh} + glm::dvec3{instance.positionLow};
     const auto& ground = terrain.heights();
@@ -75,7 +78,7 @@ void FootprintMask::draw(const glsl::Instance& instance, const io::FootprintShap
             from = glm::min(from, at + worldFromModel * corner);
             to = glm::max(to, at + worldFromModel * corner);
         }
-    const Window under = common(part, {glm::i64vec2{glm::floor(from / kTexel)} - std::int64_t(1), glm::i64vec2{glm::ceil(to / kTexel)} + std::int64_t(1)});
+    const io::TexelRect under = common(part, texelsAround(from, to));
     for (std::int64_t z = under.low.y; z < under.high.y; ++z)
         for (std::int64_t x = under.low.x; x < under.high.x; ++x) {
             const glm::dvec2 away = (glm::dvec2{x, z} + 0.5) * kTexel - at;
@@ -84,28 +87,17 @@ void FootprintMask::draw(const glsl::Instance& instance, const io::FootprintShap
         }
 }
 
-// The window wraps around: a part of it may lie at both ends of the texture.
-void FootprintMask::send(const Window& part)
+void FootprintMask::send(const io::TexelRect& part)
 {
-    const auto pieces = [this](std::int64_t low, std::int64_t high) {
-        std::vector<glm::ivec2> result; // first texel, count
-        if (high - low >= m_side) return std::vector{glm::ivec2{0, m_side}};
-        while (low < high) {
-            const auto first = int(low & (m_side - 1));
-            const int count = int(std::min<std::int64_t>(high - low, m_side - first));
-            result.emplace_back(first, count);
-            low += count;
-        }
-        return result;
-    };
-    for (const glm::ivec2 rows : pieces(part.low.y, part.high.y))
-        for (const glm::ivec2 columns : pieces(part.low.x, part.high.x))
-            m_texture.uploadPart({columns.x, rows.x}, {columns.y, rows.y}, m_texels.data() + indexOf({columns.x, rows.x}), GL_RED, GL_UNSIGNED_BYTE, 0, 0, m_side);
+    for (const io::TexelRect& piece : io::cutAtMultiples(part, m_side)) {
+        const io::Texel at = piece.low & io::Texel{m_side - 1};
+        m_texture.uploadPart(glm::ivec2{at}, glm::ivec2{piece.high - piece.low}, m_texels.data() + indexOf(at), GL_RED, GL_UNSIGNED_BYTE, 0, 0, m_side);
+    }
 }
 
 bool FootprintMask::covers(const glm::dvec2& place) const
 {
-    return m_known && m_texels[indexOf(glm::i64vec2{glm::floor(place / kTexel)})] > 0;
+    return m_known && m_texels[indexOf(io::Texel{glm::floor(place / kTexel)})] > 0;
 }
 
 } // namespace renderer

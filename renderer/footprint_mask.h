@@ -2,6 +2,7 @@
 // Only what came into the window, and where something came, went or moved, is looked at.
 #pragma once
 
+#include "io/scene/texel_rect.h"
 #include "renderer/terrain.h"
 #include "renderer/world.h"
 
@@ -21,23 +22,17 @@ public:
     bool covers(const glm::dvec2& place) const; // within the window
 
 private:
-    struct Window { // whole texels of the world
-        glm::i64vec2 low{0}, high{0};
-        bool empty() const { return low.x >= high.x || low.y >= high.y; }
-        bool operator==(const Window&) const = default;
-    };
-    static Window common(const Window& a, const Window& b) { return {glm::max(a.low, b.low), glm::min(a.high, b.high)}; }
-    void redraw(const World& world, const Terrain& terrain, const Window& part);
-    void draw(const glsl::Instance& instance, const io::FootprintShape& shape, const Window& part, const Terrain& terrain);
-    void send(const Window& part);
-    std::size_t indexOf(glm::i64vec2 texel) const
+    void redraw(const World& world, const Terrain& terrain, const io::TexelRect& part);
+    void draw(const glsl::Instance& instance, const io::FootprintShape& shape, const io::TexelRect& part, const Terrain& terrain);
+    void send(const io::TexelRect& part);
+    std::size_t indexOf(io::Texel texel) const
     {
         return std::size_t(texel.y & (m_side - 1)) * std::size_t(m_side) + std::size_t(texel.x & (m_side - 1));
     }
 
     int m_side;
     bool m_known = false;
-    Window m_window;
+    io::TexelRect m_window; // of the world
     std::uint64_t m_worldRevision = 0, m_terrainRevision = 0;
     std::vector<std::uint8_t> m_texels;
     gl::Texture m_texture;

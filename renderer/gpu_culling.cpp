@@ -110,12 +110,6 @@ const gl::Texture& DepthPyramid::make(GpuFrame& gpu, const gl::Texture& depth)
     return m_levels;
 }
 
-CulledView::Reads::~Reads()
-{
-    for (Read& read : all)
-        if (read.done) glDeleteSync(read.done);
-}
-
 CulledView::CulledView(ShaderLibrary& shaders, std::size_t mostRoom)
     : m_all{shaders.program({.label = "cull", .stages = {"cull.comp.glsl"}, .defines = {"DECIDE"}})},
       m_early{shaders.program({.label = "cull early", .stages = {"cull.comp.glsl"}, .defines = {"DECIDE", "EARLY"}})},
@@ -124,7 +118,7 @@ CulledView::CulledView(ShaderLibrary& shaders, std::size_t mostRoom)
       m_copy{shaders.program({.label = "cull copies", .stages = {"cull.comp.glsl"}})},
       m_commands{shaders.program({.label = "cull commands", .stages = {"cull_commands.comp.glsl"}})},
       m_countsBuffer{"culling counts", sizeof(glsl::CullCounts)}, m_mostRoom{mostRoom},
-      m_room{std::min(kFirstRoom, mostRoom)}, m_reads{std::make_unique<Reads>()}
+      m_room{std::min(kFirstRoom, mostRoom)}, m_readback{std::make_unique<GpuReadback<glsl::CullCounts>>("culling counts, read")}
 {
     clear(m_countsBuffer); // read before any is counted; a fresh buffer holds anything
 }
@@ -204,24 +198,8 @@ DrawList CulledView::kept(GpuFrame& gpu, const CullTable& table, const GpuCullSc
 // Sends off the counts of the frame before, and takes those that have come.
 void CulledView::readCounts()
 {
-    constexpr GLbitfield kFlags = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
-    for (Read& read : m_reads->all) {
-        if (!read.done) continue;
-        if (glClientWaitSync(read.done, 0, 0) == GL_TIMEOUT_EXPIRED) continue;
-        glDeleteSync(std::exchange(read.done, nullptr));
-        m_counts = *read.memory;
-    }
-    Read& next = m_reads->all[std::size_t(m_nextRead)];
-    if (!next.done) {
-        m_nextRead = (m_nextRead + 1) % kReads;
-        if (!next.memory) {
-            next.buffer = gl::Buffer{"culling counts, read", sizeof(glsl::CullCounts), kFlags};
-            next.memory = static_cast<const glsl::CullCounts*>(
-                glMapNamedBufferRange(next.buffer.id(), 0, sizeof(glsl::CullCounts), kFlags));
-        }
-        glCopyNamedBufferSubData(m_countsBuffer.id(), next.buffer.id(), 0, 0, sizeof(glsl::CullCounts));
-        next.done = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    }
+    m_counts = m_readback->arrived().value_or(m_counts);
+    m_readback->ask(m_countsBuffer);
     clear(m_countsBuffer);
     if (m_counts.copies > m_room && m_room < m_mostRoom) {
         m_room = std::min(m_mostRoom, std::bit_ceil(std::size_t(m_counts.copies)));

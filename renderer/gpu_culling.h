@@ -3,6 +3,7 @@
 #pragma once
 
 #include "renderer/draw_list.h"
+#include "renderer/gpu_readback.h"
 #include "renderer/shader_library.h"
 
 #include <array>
@@ -75,18 +76,7 @@ private:
     std::size_t m_slots = 0;     // that m_seen knows
     bool m_warned = false;
 
-    static constexpr int kReads = 4;
-    struct Read {
-        gl::Buffer buffer;
-        const glsl::CullCounts* memory = nullptr;
-        GLsync done = nullptr;
-    };
-    struct Reads { // closes its fences
-        std::array<Read, kReads> all;
-        ~Reads();
-    };
-    std::unique_ptr<Reads> m_reads;
-    int m_nextRead = 0;
+    std::unique_ptr<GpuReadback<glsl::CullCounts>> m_readback;
     glsl::CullCounts m_counts{};
 };
 

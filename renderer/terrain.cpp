@@ -85,7 +85,6 @@ void Terrain::update(const io::Scene& scene, const io::Assets& assets, const io:
 {
     const bool fields = changes.terrain || changes.everything;
     if (!fields && changes.heights.empty() && changes.cover.empty()) return;
-    ++m_shown;
     const auto& heights = scene.heights();
     const bool usable = heights && heights->size.x >= 2 && heights->size.y >= 2;
     if (!usable) {
@@ -111,6 +110,11 @@ void Terrain::update(const io::Scene& scene, const io::Assets& assets, const io:
     updateCover(scene.cover(), changes);
     if (fields || !m_layers.present()) m_layers.update(scene.terrain(), assets, m_block);
     const bool otherShape = another || !changes.heights.empty();
+    const bool all = fields || m_layers.askForFlow() || changes.everything; // flow changes far from where heights do
+    if (all) m_repainted = m_map->texels();
+    for (const std::vector<io::TexelRect>* rects : {&changes.heights, &changes.cover})
+        for (const io::TexelRect& changed : *rects)
+            m_repainted = around(m_repainted, common({changed.low - io::Texel{1}, changed.high + io::Texel{1}}, m_map->texels()));
     if (!m_layers.askForFlow()) m_flow = {};
     else if (otherShape || !m_flow) measureFlow();
 }

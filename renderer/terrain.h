@@ -54,7 +54,9 @@ public:
     io::WorldBox bounds() const;
     glm::vec2 heightsWithin(const glm::dvec2& from, const glm::dvec2& to) const; // lowest and highest, m; world x and z
     bool windowed() const { return m_windowed; } // not all of it is on the GPU
-    std::uint64_t shown() const { return m_shown; } // counts changes of what it looks like
+    // Texels that look other than they did at the last forgetRepainted().
+    const io::TexelRect& repainted() const { return m_repainted; }
+    void forgetRepainted() { m_repainted = {}; }
     std::uint64_t revision() const { return m_revision; } // counts changes of all of it
     // Where the ground rose or sank since the last forgetTouched(): spheres, m, that hold it as it was and as it is.
     std::span<const glm::dvec4> touched() const { return m_touched; }
@@ -90,7 +92,7 @@ private:
     std::map<int, TerrainChoice> m_shadowChoices; // by level, of a map in windows; made when asked for in a frame
     glm::dvec3 m_levelsFrom{0}; // m, from the map's first texel
     std::uint64_t m_revision = 0;
-    std::uint64_t m_shown = 0;
+    io::TexelRect m_repainted;
     std::vector<glm::dvec4> m_touched;
 };
 

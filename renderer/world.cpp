@@ -76,8 +76,8 @@ void World::readTemplate(const io::Scene& scene, const io::Assets& assets, io::T
         state.castShadow = value->castShadow && !value->model.empty();
         state.marker = value->model.empty();
         state.wind = value->wind;
-        if (slot < assets.models.size() && assets.models[slot])
-            if (auto shape = std::make_shared<const io::FootprintShape>(*value, *assets.models[slot]); !shape->empty()) state.footprint = std::move(shape);
+        state.standing = slot < assets.models.size() ? assets.models[slot] : nullptr;
+        state.asked = *value;
     }
     m_templates[slot] = state;
 }
@@ -106,6 +106,13 @@ const World::TemplateState& World::stateOf(io::TemplateId id) const
     static const TemplateState kNone;
     const std::uint32_t n = io::number(id);
     return n == 0 || n > m_templates.size() ? kNone : m_templates[n - 1];
+}
+
+const io::FootprintShape& World::footprintOf(io::TemplateId id) const
+{
+    const TemplateState& state = stateOf(id);
+    if (!state.footprint) state.footprint = state.standing ? io::FootprintShape{state.asked, *state.standing} : io::FootprintShape{};
+    return *state.footprint;
 }
 
 ModelRef World::modelOf(io::TemplateId id) const

@@ -7,6 +7,7 @@
 #include "io/scene/scene.h"
 #include "renderer/placed_models.h"
 
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -43,7 +44,7 @@ public:
     template <class Visit> void footprints(const io::WorldBox& box, Visit&& visit) const
     {
         const auto ask = [&](const glsl::Instance& instance, const glsl::CullRecord& record) {
-            if (const auto& shape = stateOf(io::TemplateId{record.templateId}).footprint) visit(instance, *shape);
+            if (const io::FootprintShape& shape = footprintOf(io::TemplateId{record.templateId}); !shape.empty()) visit(instance, shape);
         };
         m_batched.touching(box, ask);
         m_direct.touching(box, ask);
@@ -66,12 +67,15 @@ private:
         bool castShadow = true;
         bool marker = false;
         float wind = 0;
-        std::shared_ptr<const io::FootprintShape> footprint; // null: none
+        std::shared_ptr<const io::Model> standing;    // of which a footprint is made; null: none
+        io::Template asked;                           // what it is to be
+        mutable std::optional<io::FootprintShape> footprint; // once it was asked for: it looks at each triangle
         bool shows(const TemplateState& other) const { return path == other.path && model == other.model; }
     };
     PlacedModels& on(io::DrawPath path) { return path == io::DrawPath::Direct ? m_direct : m_batched; }
     const PlacedModels& on(io::DrawPath path) const { return path == io::DrawPath::Direct ? m_direct : m_batched; }
     const TemplateState& stateOf(io::TemplateId id) const;
+    const io::FootprintShape& footprintOf(io::TemplateId id) const;
 
     void rebuild(const io::Scene& scene, const io::Assets& assets);
     bool wasteful() const;

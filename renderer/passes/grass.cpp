@@ -47,26 +47,33 @@ void GrassPass::makeRoom(std::uint32_t most)
 // The ground's colours from above, drawn by the ground's own shader when it looks other than it did.
 void GrassPass::updateTint(GpuFrame& gpu, Scenery& scenery)
 {
-    const Terrain& terrain = scenery.terrain;
-    if (terrain.windowed() || m_tintOf == terrain.shown()) return;
+    Terrain& terrain = scenery.terrain;
+    if (terrain.windowed()) return;
     const glm::ivec2 texels = terrain.heights()->size;
-    const int most = kMostTint, longest = std::max(texels.x, texels.y);
-    const glm::ivec2 size = glm::max(longest > most ? texels * most / longest : texels, glm::ivec2{1});
-    if (m_tint.size() != size) m_tint = gl::Texture{{.label = "ground tint", .size = size}};
+    const int longest = std::max(texels.x, texels.y);
+    const glm::ivec2 size = glm::max(longest > kMostTint ? texels * kMostTint / longest : texels, glm::ivec2{1});
+    const bool another = m_tint.size() != size;
+    if (another) m_tint = gl::Texture{{.label = "ground tint", .size = size}};
+    const io::TexelRect changed = another ? terrain.heights()->texels() : terrain.repainted();
+    if (changed.empty()) return;
     std::vector<std::string> defines = terrain.coverDefines();
     std::erase(defines, "HOLES");
     defines.emplace_back("FROM_ABOVE");
     const gl::Program& program = m_shaders.program({.label = "ground tint", .stages = {"ground_tint.vert.glsl", "terrain.frag.glsl"}, .defines = std::move(defines)});
     const gl::Framebuffer target{{.label = "ground tint", .colours = {&m_tint}}};
-    target.bind();
     if (!gpu.use(program)) return;
+    target.bind();
+    const glm::dvec2 scale = glm::dvec2{size} / glm::dvec2{texels};
+    const glm::ivec2 low{glm::floor(glm::dvec2{changed.low} * scale)}, high = glm::min(glm::ivec2{glm::ceil(glm::dvec2{changed.high} * scale)}, size);
+    glViewport(low.x, low.y, high.x - low.x, high.y - low.y);
     gl::apply({});
-    glProgramUniform4f(program.id(), 0, 0, 0, 1, 1);
+    const glm::vec2 from = glm::vec2{low} / glm::vec2{size}, extent = glm::vec2{high - low} / glm::vec2{size};
+    glProgramUniform4f(program.id(), 0, from.x, from.y, extent.x, extent.y);
     if (!m_bare.id()) m_bare = gl::VertexArray{"ground tint"};
     glBindVertexArray(m_bare.id());
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     gpu.count(1, 2);
-    m_tintOf = terrain.shown();
+    terrain.forgetRepainted();
 }
 
 bool GrassPass::place(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const io::Environment& environment, std::span<const Presser> pressers,

@@ -28,7 +28,6 @@ private:
     std::uint32_t m_room = 0; // of each shape
     gl::VertexArray m_strips, m_bare; // the second has no vertices
     gl::Texture m_tint;
-    std::uint64_t m_tintOf = ~std::uint64_t(0); // what the ground looked like
     GpuReadback<glsl::GrassCounts> m_readback;
     bool m_warned = false;
 };

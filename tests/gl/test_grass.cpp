@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
+#include <map>
 #include <random>
 #include <set>
 #include <tuple>
@@ -18,6 +19,7 @@ struct Plant {
     glm::dvec3 root{0}; // m, world
     float height = 0;   // m
     int kind = 0;
+    std::uint32_t ground = 0; // its colour there
 };
 
 io::GrassKind meadow()
@@ -66,7 +68,7 @@ public:
         });
         std::vector<Plant> plants;
         for (const glsl::GrassBlade& blade : m_pass.readBlades())
-            plants.push_back({glm::dvec3{blade.root} + v.eye.position, glm::unpackHalf2x16(blade.size).x, int(blade.look >> 8 & 15)});
+            plants.push_back({glm::dvec3{blade.root} + v.eye.position, glm::unpackHalf2x16(blade.size).x, int(blade.look >> 8 & 15), blade.ground});
         return plants;
     }
 
@@ -242,6 +244,62 @@ TEST(Grass, ComesBackWhereAThingWas)
     world.scene.exchange(id, std::nullopt);
     meadow.follow({.objects = {id}});
     EXPECT_EQ(meadow.look(over(meadow, {0, 0})).size(), before.size());
+}
+
+TEST(Grass, WhatCameIntoTheWindowIsKeptOutOfToo)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    const auto crowded = [](Meadow& meadow) {
+        test::TestWorld& world = meadow.world();
+        const io::TemplateId crate = test::addTemplate(world, "crate", test::box({2, 1, 2}, {0.5f, 0.4f, 0.3f, 1}));
+        io::Template box = *world.scene.find(crate);
+        box.model = "models/crate.glb";
+        world.scene.exchange(crate, box);
+        for (double z = -120; z < 120; z += 7)
+            for (double x = -120; x < 120; x += 7)
+                test::addObject(world, crate, {.position = {x, groundAt(meadow, {x, z}), z}});
+        meadow.follow({.everything = true});
+    };
+    Meadow walked, there;
+    crowded(walked);
+    crowded(there);
+    for (double x = -110; x < 100; x += 30)
+        walked.look(over(walked, {x, x * 0.8}));
+    const std::vector<Plant> after = walked.look(over(walked, {97, -92})), fresh = there.look(over(there, {97, -92}));
+    EXPECT_GT(fresh.size(), 1000u);
+    EXPECT_EQ(standingIn(after, {95, -94}), standingIn(fresh, {95, -94}));
+    EXPECT_EQ(after.size(), fresh.size());
+}
+
+TEST(Grass, ColoursFollowThePartOfTheGroundThatChanged)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    const auto paint = [](Meadow& meadow) {
+        const io::CoverMap bare{meadow.world().scene.heights()->size};
+        const std::vector<std::uint32_t> rock(40u * 40u, io::packed(io::Cover{3, 3, 0, 1}));
+        meadow.world().scene.exchange(std::make_shared<const io::CoverMap>(bare.with(rock, {40, 40}, {108, 108})));
+    };
+    const auto colours = [](Meadow& meadow) {
+        std::map<std::pair<long, long>, glm::vec4> found; // by cell
+        for (const Plant& plant : meadow.look(over(meadow, {0, 0})))
+            found[{std::lround(std::floor(plant.root.x * 8)), std::lround(std::floor(plant.root.z * 8))}] = glm::unpackUnorm4x8(plant.ground);
+        return found;
+    };
+    const auto differ = [](const auto& a, const auto& b) { // plants
+        return std::ranges::count_if(a, [&](const auto& one) { return glm::length(one.second - b.at(one.first)) > 0.02f; });
+    };
+    Meadow painted, fresh;
+    painted.world().scene.exchange(std::make_shared<const io::CoverMap>(painted.world().scene.heights()->size));
+    painted.follow({.everything = true});
+    const auto before = colours(painted);
+    paint(painted);
+    painted.follow({.cover = {{{108, 108}, {148, 148}}}});
+    paint(fresh);
+    fresh.follow({.everything = true});
+    const auto after = colours(painted);
+    ASSERT_EQ(after.size(), before.size());
+    EXPECT_GT(differ(after, before), long(after.size() / 2));
+    EXPECT_EQ(differ(after, colours(fresh)), 0);
 }
 
 TEST(Grass, MoreThanThereIsRoomForIsLeftOut)
