@@ -123,7 +123,13 @@ void chooseTool(Editor& e, GizmoMode mode)
 {
     e.viewport().gizmo.mode = mode;
     e.viewport().gizmoShown = true;
-    e.viewport().sculpting = false;
+    e.viewport().sculpting = e.viewport().scattering = false;
+}
+
+void chooseScattering(Editor& e)
+{
+    if (e.viewport().scattering) e.viewport().scattering = false;
+    else e.viewport().scatterWith(e, e.viewport().scatterBrush.mode);
 }
 
 void chooseSculpting(Editor& e)
@@ -278,13 +284,13 @@ void toolActions(Actions& a, Editor& e)
                .keys = {.key = key},
                .otherKeys = {.key = digit},
                .run = [&e, mode] { chooseTool(e, mode); },
-               .checked = [&e, mode] { return e.viewport().gizmoShown && !e.viewport().sculpting && e.viewport().gizmo.mode == mode; }});
+               .checked = [&e, mode] { return e.viewport().gizmoShown && !e.viewport().sculpting && !e.viewport().scattering && e.viewport().gizmo.mode == mode; }});
     };
     a.add({.id = "tool_select",
            .icon = Icon::Select,
            .keys = {.key = Key::Q},
-           .run = [&e] { e.viewport().gizmoShown = e.viewport().sculpting = false; },
-           .checked = [&e] { return !e.viewport().gizmoShown && !e.viewport().sculpting; }});
+           .run = [&e] { e.viewport().gizmoShown = e.viewport().sculpting = e.viewport().scattering = false; },
+           .checked = [&e] { return !e.viewport().gizmoShown && !e.viewport().sculpting && !e.viewport().scattering; }});
     tool("tool_move", Icon::Translate, Key::W, Key::Digit1, GizmoMode::Translate);
     tool("tool_rotate", Icon::Rotate, Key::E, Key::Digit2, GizmoMode::Rotate);
     tool("tool_scale", Icon::Scale, Key::R, Key::Digit3, GizmoMode::Scale);
@@ -295,11 +301,18 @@ void toolActions(Actions& a, Editor& e)
            .run = [&e] { chooseSculpting(e); },
            .enabled = [&e] { return e.document() && e.document()->scene().heights(); },
            .checked = [&e] { return e.viewport().sculpting; }});
+    a.add({.id = "tool_scatter",
+           .icon = Icon::Tree,
+           .keys = {.key = Key::V},
+           .otherKeys = {.key = Key::Digit5},
+           .run = [&e] { chooseScattering(e); },
+           .enabled = open,
+           .checked = [&e] { return e.viewport().scattering; }});
     const auto resize = [&](std::string_view id, Key key, float factor) {
         a.add({.id = id,
                .keys = {.key = key},
                .run = [&e, factor] { e.viewport().resizeBrush(factor); },
-               .enabled = [&e] { return e.viewport().sculpting; },
+               .enabled = [&e] { return e.viewport().sculpting || e.viewport().scattering; },
                .repeats = true});
     };
     resize("brush_smaller", Key::LeftBracket, 1 / 1.15f);

@@ -1,10 +1,9 @@
-// Arranging many: duplicate, copy and paste as text, group and ungroup, scatter. Each is one undo step.
+// Arranging many: duplicate, copy and paste as text, group and ungroup. Each is one undo step.
 #pragma once
 
 #include "editor/document.h"
 #include "editor/picker.h"
 
-#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,18 +31,5 @@ bool reparent(Document& document, std::span<const io::ObjectId> ids, io::ObjectI
 
 // Applies `delta` to objects and, where they are groups, to their members.
 void moveBy(Document& document, std::string name, std::span<const io::ObjectId> ids, const glm::dvec3& delta);
-
-struct ScatterOptions {
-    std::vector<io::TemplateId> templates;
-    glm::dvec2 centre{0};  // world x, z, m
-    double radius = 10;    // m
-    double density = 0.05; // copies per square metre
-    std::uint64_t seed = 1;
-    glm::dvec2 slope{0, 90}; // degrees from level
-    static constexpr std::size_t kMost = 1'000'000;
-};
-// On the ground, never nearer to each other (or to what stands there) than their footprints; the same options on
-// the same world give the same copies.
-std::vector<io::ObjectId> scatter(Document& document, const ScatterOptions& options);
 
 } // namespace editor

@@ -27,6 +27,17 @@ std::size_t heldBy(const io::Grass& grass)
     return heldBy(grass.map) + heldBy(grass.kinds);
 }
 
+std::size_t heldBy(const std::vector<io::ScatterLayer>& layers)
+{
+    std::size_t bytes = layers.capacity() * sizeof(io::ScatterLayer);
+    for (const io::ScatterLayer& layer : layers) {
+        bytes += heldBy(layer.name) + heldBy(layer.ground) + layer.species.capacity() * sizeof(io::Species);
+        for (const io::Species& species : layer.species)
+            bytes += heldBy(species.templateName);
+    }
+    return bytes;
+}
+
 const io::Environment& current(const io::Scene& scene, const io::Environment&)
 {
     return scene.environment();
@@ -46,6 +57,10 @@ std::span<const io::Camera> current(const io::Scene& scene, const std::vector<io
 std::span<const io::CameraPath> current(const io::Scene& scene, const std::vector<io::CameraPath>&)
 {
     return scene.paths();
+}
+std::span<const io::ScatterLayer> current(const io::Scene& scene, const std::vector<io::ScatterLayer>&)
+{
+    return scene.scatterLayers();
 }
 
 template <class T> bool same(std::span<const T> a, const std::vector<T>& b)
@@ -68,6 +83,10 @@ io::Changes changesOf(const io::Terrain&)
 io::Changes changesOf(const io::Grass&)
 {
     return {.grass = true};
+}
+io::Changes changesOf(const std::vector<io::ScatterLayer>&)
+{
+    return {.scatter = true};
 }
 template <class T> io::Changes changesOf(const std::vector<T>&)
 {
@@ -164,6 +183,47 @@ template class SwapPart<io::Terrain>;
 template class SwapPart<io::Grass>;
 template class SwapPart<std::vector<io::Camera>>;
 template class SwapPart<std::vector<io::CameraPath>>;
+template class SwapPart<std::vector<io::ScatterLayer>>;
+
+io::Changes SwapInstances::swap(io::World& world)
+{
+    io::Changes changes;
+    changes.instances.reserve(m_slots.size());
+    for (auto& [tile, other] : m_slots) {
+        other = world.scene.exchange(tile, std::move(other));
+        changes.instances.push_back(tile);
+    }
+    return changes;
+}
+
+bool SwapInstances::changesNothing(const io::World& world) const
+{
+    return std::ranges::all_of(m_slots, [&](const Slot& slot) {
+        const io::InstanceTile* now = world.scene.find(slot.first);
+        const io::InstanceTile* other = slot.second && !slot.second->empty() ? slot.second.get() : nullptr;
+        return now == other || (now && other && *now == *other);
+    });
+}
+
+std::size_t SwapInstances::bytes() const
+{
+    std::size_t bytes = sizeof *this + heldBy(m_slots) + m_known.size() * (sizeof(io::LayerTile) + 4 * sizeof(void*));
+    for (const Slot& slot : m_slots)
+        if (slot.second) bytes += slot.second->bytes();
+    return bytes;
+}
+
+bool SwapInstances::absorb(Command& later)
+{
+    auto* other = dynamic_cast<SwapInstances*>(&later);
+    if (!other) return false;
+    if (m_known.empty())
+        for (const Slot& slot : m_slots)
+            m_known.insert(slot.first);
+    for (Slot& slot : other->m_slots)
+        if (m_known.insert(slot.first).second) m_slots.push_back(std::move(slot));
+    return true;
+}
 
 namespace {
 

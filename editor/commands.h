@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -44,7 +45,7 @@ private:
     std::optional<io::Template> m_other;
 };
 
-// A part of which a scene has one: Environment, Terrain, Grass, std::vector<Camera> or std::vector<CameraPath>.
+// A part of which a scene has one: Environment, Terrain, Grass, or the list of cameras, camera paths or scatter layers.
 template <class Part> class SwapPart final : public Command {
 public:
     SwapPart(std::string name, Part value) : Command{std::move(name)}, m_other{std::move(value)} {}
@@ -62,6 +63,24 @@ using SwapTerrain = SwapPart<io::Terrain>;
 using SwapGrass = SwapPart<io::Grass>;
 using SwapCameras = SwapPart<std::vector<io::Camera>>;
 using SwapPaths = SwapPart<std::vector<io::CameraPath>>;
+using SwapScatterLayers = SwapPart<std::vector<io::ScatterLayer>>;
+
+// Instances of scatter layers, by the tiles that are touched: a stroke, a filled layer, one that was moved. A tile without a
+// value holds none.
+class SwapInstances final : public Command {
+public:
+    using Slot = std::pair<io::LayerTile, std::shared_ptr<const io::InstanceTile>>;
+    SwapInstances(std::string name, std::vector<Slot> slots) : Command{std::move(name)}, m_slots{std::move(slots)} {}
+
+    io::Changes swap(io::World& world) override;
+    bool changesNothing(const io::World& world) const override;
+    std::size_t bytes() const override;
+    bool absorb(Command& later) override;
+
+private:
+    std::vector<Slot> m_slots;     // a tile appears once
+    std::set<io::LayerTile> m_known; // those of m_slots, filled when something is absorbed
+};
 
 // A field of the ground, io::HeightMap, io::CoverMap or io::GrassMap: a stroke of a brush, or another map altogether. Until it is packed it
 // holds the other map, which has in common with the scene's what did not change; then only the bits in which the touched

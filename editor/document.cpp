@@ -107,11 +107,12 @@ io::Changes Document::takeChanges()
 {
     io::Changes changes = std::exchange(m_changes, {});
     const auto unique = [](auto& ids) {
-        std::ranges::sort(ids);
+        std::sort(ids.begin(), ids.end());
         ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     };
     unique(changes.objects);
     unique(changes.templates);
+    unique(changes.instances);
     return changes;
 }
 
@@ -143,6 +144,28 @@ void setCameras(Document& document, std::string name, std::vector<io::Camera> ca
 void setPaths(Document& document, std::string name, std::vector<io::CameraPath> paths)
 {
     document.run(std::make_unique<SwapPaths>(std::move(name), std::move(paths)));
+}
+
+void setScatterLayers(Document& document, std::string name, std::vector<io::ScatterLayer> layers)
+{
+    document.run(std::make_unique<SwapScatterLayers>(std::move(name), std::move(layers)));
+}
+
+void removeScatterLayer(Document& document, std::string name, io::ScatterId id)
+{
+    const Gesture gesture{document, name};
+    std::vector<SwapInstances::Slot> tiles;
+    for (const auto& [place, tile] : document.scene().instances(id))
+        tiles.emplace_back(io::LayerTile{id, place}, nullptr);
+    setInstances(document, name, std::move(tiles));
+    std::vector<io::ScatterLayer> layers{document.scene().scatterLayers().begin(), document.scene().scatterLayers().end()};
+    std::erase_if(layers, [&](const io::ScatterLayer& layer) { return layer.id == id; });
+    setScatterLayers(document, std::move(name), std::move(layers));
+}
+
+void setInstances(Document& document, std::string name, std::vector<SwapInstances::Slot> tiles)
+{
+    document.run(std::make_unique<SwapInstances>(std::move(name), std::move(tiles)));
 }
 
 void setTemplate(Document& document, std::string name, io::TemplateId id, std::optional<io::Template> value)

@@ -34,6 +34,7 @@ public:
 
     // Ids are taken by being handed out, used or not.
     io::ObjectId freshId() { return m_world.scene.freshId(); }
+    io::ScatterId freshScatterId() { return m_world.scene.freshScatterId(); }
     io::TemplateId templateSlot(std::string_view name) { return m_world.scene.templateSlot(name); }
 
     // Does the command and keeps it for undo. One that would change nothing is dropped.
@@ -149,6 +150,9 @@ void setGrass(Document& document, std::string name, io::Grass grass);
 void setGrassMap(Document& document, std::string name, std::shared_ptr<const io::GrassMap> map, const io::TexelRect& changed);
 void setCameras(Document& document, std::string name, std::vector<io::Camera> cameras);
 void setPaths(Document& document, std::string name, std::vector<io::CameraPath> paths);
+void setScatterLayers(Document& document, std::string name, std::vector<io::ScatterLayer> layers);
+void removeScatterLayer(Document& document, std::string name, io::ScatterId id); // with its instances
+void setInstances(Document& document, std::string name, std::vector<SwapInstances::Slot> tiles);
 void setTemplate(Document& document, std::string name, io::TemplateId id, std::optional<io::Template> value);
 void addObjects(Document& document, std::string name, std::vector<io::Object> objects);      // each with a fresh id
 void removeObjects(Document& document, std::string name, std::span<const io::ObjectId> ids); // with the groups' members

@@ -9,6 +9,7 @@
 #include "editor/panels/history_panel.h"
 #include "editor/panels/inspector_panel.h"
 #include "editor/panels/rendering_panel.h"
+#include "editor/panels/scatter_panel.h"
 #include "editor/panels/statistics_panel.h"
 #include "editor/panels/templates_panel.h"
 #include "editor/panels/terrain_panel.h"
@@ -77,6 +78,7 @@ void Editor::addPanels()
     add(std::make_unique<EnvironmentPanel>(), Region::Right);
     add(std::make_unique<RenderingPanel>(), Region::Right);
     add(std::make_unique<TerrainPanel>(), Region::Right);
+    add(std::make_unique<ScatterPanel>(), Region::Right);
     add(std::make_unique<TemplatesPanel>(), Region::Bottom);
     add(std::make_unique<ConsolePanel>(), Region::Bottom);
     add(std::make_unique<StatisticsPanel>(), Region::Bottom);
@@ -135,6 +137,7 @@ void Editor::adopt(std::unique_ptr<Document> document)
 {
     m_editing.clear();
     m_viewport.reset(); // what it draws on is about to go
+    m_plantsWork.cancel();
     m_document = std::move(document);
     m_live.forget();
     m_selection = {};
@@ -282,6 +285,7 @@ void Editor::frame(double seconds)
     m_loading.draw();
     if (auto opened = m_loading.finished()) adoptOpened(std::move(*opened));
     m_toasts.draw();
+    takePlants();
     if (!ImGui::IsAnyItemActive()) endEdit();
     noteActivity(seconds);
     m_resting = nextFrameIn() > kRest;
@@ -292,7 +296,7 @@ void Editor::closeMenusByEscape()
 {
     if (!pressed(Key::Escape) || m_dialogs.any() || m_groundDialogs.any() || ImGui::GetIO().WantTextInput) return;
     if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, true);
-    else if (!m_viewport.sculpting && m_viewport.placing() == io::TemplateId::None) m_live.stopTurning();
+    else if (!m_viewport.sculpting && !m_viewport.scattering && m_viewport.placing() == io::TemplateId::None) m_live.stopTurning();
 }
 
 void Editor::drawWindow()
@@ -306,6 +310,19 @@ void Editor::drawWindow()
     follow(); // what a key or a button did is seen by all panels at once
     const float bottom = statusBar(*this);
     m_workspace.draw(*this, {0, top + 3}, {display.x, bottom - 3});
+}
+
+void Editor::growPlants(const io::ScatterLayer& layer)
+{
+    m_plantsName = layer.rule ? tr("undo.evaluate_plants") : tr("undo.fill_plants");
+    m_plantsWork.start(layerTiles(m_document->scene(), layer), plantingOf(*m_document, layer, &m_picker), !m_host.repeatable());
+    takePlants();
+}
+
+void Editor::takePlants()
+{
+    if (!m_document || m_document->inGesture()) return;
+    if (auto slots = m_plantsWork.finished(m_document->scene())) setInstances(*m_document, m_plantsName, *std::move(slots));
 }
 
 void Editor::noteActivity(double seconds)
@@ -343,7 +360,7 @@ double Editor::nextFrameIn() const
     if (m_document && m_renderer && m_renderer->stats().gathering) return 0; // the picture is still becoming smoother
     double next = m_toasts.nextChange();
     if (drifts()) next = std::min({next, 1 / m_host.frameRate(), kRest});
-    if (m_loading.busy() || m_groundDialogs.working()) next = std::min(next, kProgress);
+    if (m_loading.busy() || m_groundDialogs.working() || m_plantsWork.busy()) next = std::min(next, kProgress);
     if (ImGui::GetIO().WantTextInput) next = std::min(next, kBlink);
     return next;
 }

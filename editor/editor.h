@@ -11,6 +11,7 @@
 #include "editor/live_environment.h"
 #include "editor/loading.h"
 #include "editor/picker.h"
+#include "editor/scatter_work.h"
 #include "editor/selection.h"
 #include "editor/toasts.h"
 #include "editor/viewport.h"
@@ -83,6 +84,10 @@ public:
     void step(const char* textKey, const std::function<void(Document&)>& change);
     void follow(); // hands what changed to selection, picker, renderer
 
+    // Fills a layer, or evaluates its rules: beside the window where the host and the layer allow, one undo step when done.
+    void growPlants(const io::ScatterLayer& layer);
+    ScatterWork& plantsWork() { return m_plantsWork; }
+
     // The template chosen in the Templates panel, shown by the Inspector while `inspectTemplate`.
     io::TemplateId chosenTemplate = io::TemplateId::None;
     bool inspectTemplate = false;
@@ -107,6 +112,7 @@ private:
     void closeMenusByEscape();
     void drawWindow();
     void endEdit();
+    void takePlants();
     void noteActivity(double seconds);
     bool drifts() const;
 
@@ -124,6 +130,8 @@ private:
     Toasts m_toasts;
     LiveEnvironment m_live;
     Loading m_loading;
+    ScatterWork m_plantsWork;
+    std::string m_plantsName;
     io::Value m_savedSettings;
     std::string m_editing;
     std::optional<bool> m_animates;

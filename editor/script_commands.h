@@ -21,6 +21,7 @@ struct ScriptCommand {
 };
 
 std::span<const ScriptCommand> placeCommands();     // place scatter duplicate delete group … delete_template
+std::span<const ScriptCommand> scatterCommands();   // scatter_layer plant erase_plants thin evaluate …
 std::span<const ScriptCommand> transformCommands(); // move rotate scale rename assign
 std::span<const ScriptCommand> documentCommands();  // select set get undo redo save save_as reload view render …
 std::span<const ScriptCommand> groundCommands();    // sculpt paint

@@ -3,6 +3,7 @@
 #include "editor/arrange.h"
 #include "editor/delete_template.h"
 #include "editor/placement.h"
+#include "editor/scatter.h"
 #include "io/scene/ground.h"
 
 #include <algorithm>
@@ -59,19 +60,22 @@ Answer place(Script& script, Arguments& arguments)
 
 Answer scatter(Script& script, Arguments& arguments)
 {
-    ScatterOptions options{.templates = templatesOf(arguments)};
+    const Document& document = script.document();
+    PlantRules rules = plantRules(document.scene(), document.assets(), templatesOf(arguments));
     const auto centre = arguments.ground("center");
     if (!centre) arguments.fail("needs \"center\"");
-    options.centre = centre.value_or(glm::dvec2{0});
-    options.radius = arguments.number("radius", options.radius, 0, 1e6);
-    options.density = arguments.number("density", options.density, 0, 1e4);
-    options.seed = std::uint64_t(arguments.number("seed", 1, 0, 1e15));
-    options.slope = arguments.pair("slope").value_or(options.slope);
-    if (options.density * 3.1416 * options.radius * options.radius > double(ScatterOptions::kMost))
-        arguments.fail(fmt::format("would place more than {} objects", ScatterOptions::kMost));
-    if (!script.document().scene().heights()) arguments.fail("this scene has no ground");
+    const double radius = arguments.number("radius", 10, 0, 1e6);
+    rules.density = arguments.number("density", 0.05, 0, 1e4);
+    rules.spacing = arguments.number("spacing", 0, 0, 1000);
+    rules.seed = std::uint64_t(arguments.number("seed", 1, 0, 1e15));
+    rules.slope = arguments.pair("slope").value_or(rules.slope);
+    rules.altitude = arguments.pair("altitude").value_or(rules.altitude);
+    if (rules.density * 3.1416 * radius * radius > double(kMostScattered))
+        arguments.fail(fmt::format("would place more than {} objects", kMostScattered));
+    if (!document.scene().heights()) arguments.fail("this scene has no ground");
     if (const auto fault = arguments.finish()) return *fault;
-    const auto ids = editor::scatter(script.document(), options);
+    const Planting planting{std::move(rules), document.scene()};
+    const auto ids = editor::scatter(script.document(), "Scatter objects", planting, PlantRegion::disc(*centre, radius));
     return io::Value::Object{{"count", std::uint64_t(ids.size())}, {"ids", toValue(ids)}};
 }
 

@@ -1,6 +1,7 @@
 #include "editor/stroke.h"
 
 #include "editor/painting.h"
+#include "editor/scatter_steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,7 +111,10 @@ void Stroke::paint(const Dab& dab)
         if (const auto patch = growOn(*scene.heights(), grassMapOf(scene), m_brush, dab)) changeGrassMap(m_document, m_name, *patch);
         return;
     }
-    if (const auto patch = paintOn(*scene.heights(), coverOf(scene), m_brush, dab)) changeCover(m_document, m_name, *patch);
+    if (const auto patch = paintOn(*scene.heights(), coverOf(scene), m_brush, dab)) {
+        changeCover(m_document, m_name, *patch);
+        touch({dab.centre - double(m_brush.radius), dab.centre + double(m_brush.radius)});
+    }
 }
 
 void Stroke::change(const HeightPatch& patch)
@@ -124,6 +128,15 @@ void Stroke::change(const HeightPatch& patch)
         }
     setHeights(m_document, m_name, std::make_shared<const io::HeightMap>(before->with(heights, patch.at)), patch.rect());
     if (m_keys.objectsFollow) lift(patch, *before);
+    const double beyond = before->metresPerTexel; // triangles reach to the next texel
+    const glm::dvec2 low = heights.origin - beyond, high = heights.origin + glm::dvec2{heights.size} * heights.metresPerTexel + beyond;
+    if (m_keys.objectsFollow) liftPlants(m_document, m_name, *before, {low, high});
+    touch({low, high});
+}
+
+void Stroke::touch(const PlaneRect& part)
+{
+    m_touched = m_touched ? PlaneRect{glm::min(m_touched->low, part.low), glm::max(m_touched->high, part.high)} : part;
 }
 
 void Stroke::findObjects()
@@ -168,6 +181,7 @@ void Stroke::end()
     const auto& map = m_document.scene().heights();
     if (map && m_gesture && m_brush.tool == BrushTool::Ramp && m_start && m_last)
         if (const auto patch = rampOn(*map, m_brush, *m_start, *m_last, 1)) change(*patch);
+    if (m_gesture && m_touched && m_document.inGesture()) followRules(m_document, m_name, *m_touched);
     m_gesture.reset();
 }
 

@@ -4,6 +4,7 @@
 
 #include "editor/brush.h"
 #include "editor/document.h"
+#include "editor/plant_pattern.h"
 
 #include <optional>
 #include <unordered_map>
@@ -30,7 +31,7 @@ public:
     // The pointer went straight to this point of the ground.
     void to(const glm::dvec3& point);
     void rest(double seconds); // it stayed where it is
-    void end();                // makes a ramp; nothing can follow
+    void end();                // makes a ramp, and plants follow their rules; nothing can come after
     void cancel();             // the ground is as it was
 
     // Makes a patch part of this step; the objects on it follow.
@@ -47,6 +48,7 @@ private:
     void paint(const Dab& dab);
     void lift(const HeightPatch& patch, const io::HeightMap& before);
     void findObjects();
+    void touch(const PlaneRect& part);
 
     Document& m_document;
     Brush m_brush;
@@ -60,6 +62,7 @@ private:
     double m_level = 0;
     std::unordered_map<std::int64_t, std::vector<io::ObjectId>> m_objects; // by cell of the ground
     bool m_objectsFound = false;
+    std::optional<PlaneRect> m_touched; // where rules are looked at again when it ends
 };
 
 } // namespace editor

@@ -33,6 +33,8 @@ void Viewport::reset()
     freezeCulling = false;
     m_cycle.reset();
     m_stroke.reset();
+    m_scatterStroke.reset();
+    scatterLayer = io::ScatterId::None;
     m_brushAt.reset();
     stopPlacing();
     m_tinted.clear();
@@ -138,6 +140,7 @@ void Viewport::input(Editor& editor, double seconds)
     m_speedShown = std::max(0.0, m_speedShown - seconds);
     const bool pressed = ImGui::IsItemActivated();
     updateBrush(editor);
+    updateScatter(editor);
     if (pressed) press(editor);
     updateHover(editor);
     if (m_drag != Drag::None && !pressed) hold(editor, seconds); // the way to the press is no drag
@@ -178,6 +181,8 @@ void Viewport::pressLeft(Editor& editor)
         m_anchor = editor.picker().pick(view(), pointer());
     } else if (sculpting) {
         beginStroke(editor);
+    } else if (scattering) {
+        beginScatter(editor);
     } else {
         m_drag = beginGizmo(editor) ? Drag::Gizmo : Drag::Click;
     }
@@ -218,6 +223,8 @@ void Viewport::hold(Editor& editor, double seconds)
         break;
     case Drag::Stroke:
         return holdStroke(editor, seconds);
+    case Drag::Scatter:
+        return holdScatter(editor);
     }
     if (!pressed(Key::Escape)) return;
     if (m_drag == Drag::Gizmo) endGizmo(editor, false);
@@ -250,6 +257,9 @@ void Viewport::release(Editor& editor)
     case Drag::Stroke:
         endStroke();
         break;
+    case Drag::Scatter:
+        endScatter();
+        break;
     default:
         break;
     }
@@ -276,7 +286,7 @@ void Viewport::updateHover(Editor& editor)
     if (m_drag != Drag::None && m_drag != Drag::Click) return;
     GizmoHandle handle = GizmoHandle::None;
     refreshSelectionShown(editor);
-    if (m_hovered && gizmoShown && !sculpting && m_placing == io::TemplateId::None && !m_transforms.empty())
+    if (m_hovered && gizmoShown && !sculpting && !scattering && m_placing == io::TemplateId::None && !m_transforms.empty())
         if (const auto frame = gizmo.frame(m_transforms)) handle = gizmo.hit(view(), *frame, pointer());
     gizmo.hover(handle);
 }

@@ -8,6 +8,7 @@
 #include "editor/panel.h"
 #include "editor/picker.h"
 #include "editor/resolution.h"
+#include "editor/scatter_brush.h"
 #include "editor/selection.h"
 #include "editor/stroke.h"
 #include "renderer/renderer.h"
@@ -34,6 +35,9 @@ public:
     bool sculpting = false; // the left button draws with the brush
     Brush brush;
     bool objectsFollow = true; // keep their height above ground that is shaped
+    bool scattering = false;   // the left button plants
+    ScatterBrush scatterBrush;
+    io::ScatterId scatterLayer = io::ScatterId::None; // that it plants in
     bool showOverlays = true;
     bool showStatistics = false; // over the picture
     bool freezeCulling = false;  // flying on, one sees what was culled then
@@ -48,6 +52,8 @@ public:
     io::TemplateId placing() const { return m_placing; }
     void placeAtCamera(Editor& editor, io::TemplateId id);
     void sculptWith(Editor& editor, BrushTool tool);
+    void scatterWith(Editor& editor, ScatterMode mode);
+    const io::ScatterLayer* scatterTarget(const Document& document) const; // null: none is chosen
     void resizeBrush(float factor);
     void stayAbove(const Document& document); // the ground, where it rose over the camera
     void readStamp(const Document& document); // that the brush names, of this project; what cannot be read is said in the console
@@ -60,7 +66,7 @@ public:
     double pictureScale() const { return m_resolution.scale(); } // below 1: coarser, to be quick enough
 
 private:
-    enum class Drag { None, Look, Orbit, Pan, Click, Box, Gizmo, Place, Stroke };
+    enum class Drag { None, Look, Orbit, Pan, Click, Box, Gizmo, Place, Stroke, Scatter };
 
     void drawPicture(Editor& editor);
     void chooseResolution(Editor& editor);
@@ -86,6 +92,12 @@ private:
     void endStroke();
     void updateBrush(Editor& editor);
     void addBrushLines(const Editor& editor, std::vector<renderer::Line>& lines) const;
+
+    void beginScatter(Editor& editor);
+    void holdScatter(Editor& editor);
+    void endScatter();
+    void updateScatter(Editor& editor);
+    void addScatterLines(const Editor& editor, std::vector<renderer::Line>& lines) const;
 
     void updateGhost(Editor& editor);
     void placeGhost(Editor& editor);
@@ -123,6 +135,7 @@ private:
     std::uint64_t m_seed = 1;
 
     std::optional<Stroke> m_stroke;
+    std::optional<ScatterStroke> m_scatterStroke;
     std::optional<glm::dvec3> m_brushAt; // the ground under the pointer
 
     std::vector<io::ObjectId> m_tinted;      // the selection with the members of its groups, the primary last

@@ -78,6 +78,7 @@ renderer::FrameInput Viewport::frameInput(Editor& editor)
     if (m_ghost) input.ghosts = {&*m_ghost, 1};
     m_frameLines = m_lines;
     addBrushLines(editor, m_frameLines);
+    addScatterLines(editor, m_frameLines);
     input.lines = m_frameLines;
     input.freezeCulling = freezeCulling;
     input.ids = m_drag == Drag::Click || m_drag == Drag::Box; // a box may be let go in the next frame
@@ -125,7 +126,7 @@ void Viewport::overlays(Editor& editor)
 
 void Viewport::drawGizmo() const
 {
-    if (!gizmoShown || sculpting || m_transforms.empty() || m_placing != io::TemplateId::None) return;
+    if (!gizmoShown || sculpting || scattering || m_transforms.empty() || m_placing != io::TemplateId::None) return;
     const auto frame = gizmo.dragging() ? std::optional{gizmo.activeFrame()} : gizmo.frame(m_transforms);
     if (!frame) return;
     const MapPanel map{"gizmo"};
@@ -205,6 +206,10 @@ void Viewport::drawHints(Editor& editor) const
     } else if (sculpting) {
         const std::string tool = tr("brush." + std::string{enumNames(brush.tool)[std::size_t(brush.tool)]});
         pill({middle, bottom}, !shapes(brush.tool) ? trf("viewport.painting", tool, double(brush.radius)) : trf("viewport.sculpting", tool, double(brush.radius)), palette::kText, true, Icon::Terrain);
+    } else if (scattering) {
+        const io::ScatterLayer* layer = scatterTarget(*editor.document());
+        const std::string mode = tr("scatter_mode." + std::string{enumNames(scatterBrush.mode)[std::size_t(scatterBrush.mode)]});
+        pill({middle, bottom}, layer ? trf("viewport.scattering", mode, layer->name, double(scatterBrush.radius)) : tr("viewport.scatter_no_layer"), palette::kText, true, Icon::Tree);
     } else if (m_drag == Drag::Gizmo) {
         pill({middle, bottom}, tr("viewport.dragging"), palette::kText, true);
     }

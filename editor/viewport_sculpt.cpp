@@ -1,35 +1,16 @@
 // The brush in the viewport: strokes over the ground, and the ring that shows where they fall.
+#include "editor/brush_ring.h"
 #include "editor/editor.h"
 #include "editor/stamp_file.h"
 #include "editor/text.h"
 #include "editor/viewport.h"
 #include "io/base/log.h"
 
-#include <glm/gtc/constants.hpp>
-
 namespace editor {
 namespace {
 
-constexpr int kRingParts = 96;
 constexpr double kFarthest = 20000; // m, that ground is shaped from the eye
 constexpr glm::vec4 kRing{1.0f, 0.86f, 0.42f, 1}, kCore{1.0f, 0.86f, 0.42f, 0.5f};
-
-// A circle that lies on the ground, a little above it so that it is seen whole from afar.
-void addRing(std::vector<renderer::Line>& lines, const io::HeightMap& map, const glm::dvec3& eye, const glm::dvec3& middle, double radius,
-             const glm::vec4& colour)
-{
-    const auto point = [&](int i) {
-        const double angle = glm::two_pi<double>() * i / kRingParts;
-        const double x = middle.x + radius * std::cos(angle), z = middle.z + radius * std::sin(angle);
-        const double y = map.height(x, z).value_or(middle.y);
-        return glm::dvec3{x, y + 0.02 + 0.003 * glm::distance(eye, glm::dvec3{x, y, z}), z};
-    };
-    for (int i = 0; i < kRingParts; ++i) {
-        const glm::dvec3 from = point(i), to = point(i + 1);
-        lines.push_back({.from = from, .to = to, .colour = colour});
-        lines.push_back({.from = from, .to = to, .colour = {glm::vec3{colour}, colour.w * 0.25f}, .onTop = true});
-    }
-}
 
 std::string stepNameOf(BrushTool tool)
 {
@@ -91,17 +72,18 @@ void Viewport::addBrushLines(const Editor& editor, std::vector<renderer::Line>& 
     const auto& map = editor.document()->scene().heights();
     if (!sculpting || !m_brushAt || !map) return;
     const glm::dvec3 eye = camera.camera().eye;
-    addRing(lines, *map, eye, *m_brushAt, brush.radius, kRing);
-    if (brush.falloff > 0.02f && brush.falloff < 0.98f) addRing(lines, *map, eye, *m_brushAt, double(brush.radius) * (1 - double(brush.falloff)), kCore);
+    addRing(lines, map.get(), eye, *m_brushAt, brush.radius, kRing);
+    if (brush.falloff > 0.02f && brush.falloff < 0.98f) addRing(lines, map.get(), eye, *m_brushAt, double(brush.radius) * (1 - double(brush.falloff)), kCore);
     if (m_stroke && brush.tool == BrushTool::Ramp && m_stroke->start()) {
-        addRing(lines, *map, eye, *m_stroke->start(), brush.radius, kRing);
+        addRing(lines, map.get(), eye, *m_stroke->start(), brush.radius, kRing);
         lines.push_back({.from = *m_stroke->start(), .to = *m_brushAt, .colour = kRing, .onTop = true});
     }
 }
 
 void Viewport::resizeBrush(float factor)
 {
-    brush.radius = std::clamp(brush.radius * factor, 0.5f, 500.0f);
+    float& radius = scattering ? scatterBrush.radius : brush.radius;
+    radius = std::clamp(radius * factor, 0.5f, 500.0f);
 }
 
 void Viewport::stayAbove(const Document& document)
@@ -128,6 +110,7 @@ void Viewport::sculptWith(Editor& editor, BrushTool tool)
 {
     brush.tool = tool;
     sculpting = true;
+    scattering = false;
     stopPlacing();
     editor.workspace().bringToFront("terrain");
 }

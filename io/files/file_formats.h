@@ -64,6 +64,7 @@ struct SceneBody {
     std::string environment;
     Terrain terrain;
     Grass grass;
+    std::vector<ScatterLayer> scatter;
     Extra extra;
 };
 
@@ -72,6 +73,7 @@ void fields(auto& v, Of<SceneBody> auto& s)
     v("environment", s.environment, Hint{.style = Style::Path});
     v("terrain", s.terrain, Hint{});
     v("grass", s.grass, Hint{.optional = true});
+    v("scatter", s.scatter, Hint{.optional = true});
 }
 
 // An object as its line has it: led by its id.

@@ -126,6 +126,32 @@ private:
     std::vector<std::pair<Object, const char*>> m_nameless;
 };
 
+// Layers are told apart by their ids and shown by their names: neither may be missing or there twice.
+std::vector<ScatterLayer> mended(std::vector<ScatterLayer> layers, Scene& scene, const std::string& file, Complaints& complaints)
+{
+    for (const ScatterLayer& layer : layers)
+        scene.takeIdsUpTo(layer.id);
+    for (auto layer = layers.begin(); layer != layers.end(); ++layer) {
+        const std::string where = "scatter." + std::to_string(layer - layers.begin());
+        const auto complain = [&](const std::string& what) { complaints.push_back({Severity::Error, file, where + what}); };
+        const auto above = [&](auto part) { return std::find_if(layers.begin(), layer, [&](const ScatterLayer& l) { return l.*part == (*layer).*part; }) != layer; };
+        if (layer->id == ScatterId::None || above(&ScatterLayer::id)) {
+            complain(layer->id == ScatterId::None ? ".id: missing; the layer gets a new one"
+                                                  : ".id: " + std::to_string(number(layer->id)) + " is taken by a layer above; this one gets a new one");
+            layer->id = scene.freshScatterId();
+        }
+        if (layer->name.empty() || above(&ScatterLayer::name)) {
+            const std::string name = layer->name + "#" + std::to_string(number(layer->id));
+            complain(".name: \"" + layer->name + "\" is " + (layer->name.empty() ? "empty" : "taken by a layer above") + "; renamed " + name);
+            layer->name = name;
+        }
+        if (layer->species.size() <= kMostSpecies) continue;
+        complain(".species: " + std::to_string(layer->species.size()) + " where " + std::to_string(kMostSpecies) + " are the most; the last ones are left out");
+        layer->species.resize(kMostSpecies);
+    }
+    return layers;
+}
+
 // Writes the members of an object's line, without those that have their default. Compares with the fields of a
 // default object, which come in the same order.
 class LineWriter {
@@ -235,6 +261,7 @@ Result<std::string> readSceneText(std::string text, const std::string& name, Sce
     complaints.insert(complaints.end(), found.begin(), found.end());
     scene.exchange(std::move(body->terrain));
     scene.exchange(std::move(body->grass));
+    scene.exchange(mended(std::move(body->scatter), scene, name, complaints));
     scene.extra = std::move(body->extra);
     return std::move(body->environment);
 }
@@ -250,7 +277,7 @@ std::string sceneText(const Scene& scene, const std::string& environmentFile, co
     out.reserve(512 + scene.objects().size() * 128);
     FieldWriter writer{out, 0, &scene.extra};
     out += '{';
-    const Headed<SceneBody> head{kFormat, kFileVersion, {environmentFile, terrain, scene.grass(), {}}};
+    const Headed<SceneBody> head{kFormat, kFileVersion, {environmentFile, terrain, scene.grass(), {scene.scatterLayers().begin(), scene.scatterLayers().end()}, {}}};
     fields(writer, head);
     const std::vector<ObjectId> ids = scene.sortedIds();
     if (scene.lastSavedId > (ids.empty() ? ObjectId::None : ids.back())) {

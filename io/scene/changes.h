@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/scene/ids.h"
+#include "io/scene/instances.h"
 #include "io/scene/texel_rect.h"
 
 #include <vector>
@@ -18,12 +19,15 @@ struct Changes {
     std::vector<TexelRect> cover;   // parts of it that were painted
     bool grass = false;              // its kinds, or where its map lies
     std::vector<TexelRect> grassMap; // parts of it that were painted
+    bool scatter = false;                // the list of scatter layers, or what one of them says
+    std::vector<LayerTile> instances;    // tiles of which instances came, went or changed
     bool everything = false; // another scene: rebuild
 
     bool none() const
     {
         return objects.empty() && templates.empty() && !environment && !cameras && !terrain &&
-               heights.empty() && cover.empty() && !grass && grassMap.empty() && !everything;
+               heights.empty() && cover.empty() && !grass && grassMap.empty() &&
+               !scatter && instances.empty() && !everything;
     }
     void add(const Changes& other)
     {
@@ -36,6 +40,8 @@ struct Changes {
         cover.insert(cover.end(), other.cover.begin(), other.cover.end());
         grass |= other.grass;
         grassMap.insert(grassMap.end(), other.grassMap.begin(), other.grassMap.end());
+        scatter |= other.scatter;
+        instances.insert(instances.end(), other.instances.begin(), other.instances.end());
         everything |= other.everything;
     }
 };

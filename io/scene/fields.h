@@ -9,6 +9,7 @@
 #include "io/scene/environment.h"
 #include "io/scene/grass.h"
 #include "io/scene/object.h"
+#include "io/scene/scatter.h"
 #include "io/scene/template.h"
 #include "io/scene/terrain.h"
 
@@ -329,6 +330,36 @@ void fields(auto& v, Of<Transform> auto& t)
     v("position", t.position, Hint{.min = -1e7, .max = 1e7, .unit = "m"});
     v("rotation", t.rotation, Hint{.min = -1e6, .max = 1e6, .unit = "deg"});
     v("scale", t.scale, Hint{.min = -1e6, .max = 1e6});
+}
+
+void fields(auto& v, Of<Species> auto& s)
+{
+    v("template", s.templateName, Hint{});
+    v("weight", s.weight, Hint{.min = 0, .max = 1000});
+    v("scale", s.scale, Hint{.min = 0.001, .max = 1000});
+    v("spacing", s.spacing, Hint{.min = 0, .max = 1000, .unit = "m", .style = Style::Logarithmic});
+}
+
+void fields(auto& v, Of<ScatterLayer> auto& l)
+{
+    v("id", l.id, Hint{.min = 1, .max = kHighestScatterId});
+    v("name", l.name, Hint{});
+    v("rule", l.rule, Hint{});
+    v("species", l.species, Hint{});
+    v("density", l.density, Hint{.min = 0, .max = 100, .unit = "1/m2", .style = Style::Logarithmic});
+    v("spacing", l.spacing, Hint{.min = 0, .max = 1000, .unit = "m", .style = Style::Logarithmic});
+    v("scale", l.scale, Hint{.min = 0.001, .max = 1000});
+    v("yaw", l.yaw, Hint{.min = -360, .max = 360, .unit = "deg"});
+    v("tilt", l.tilt, Hint{.min = 0, .max = 90, .unit = "deg"});
+    v("sink", l.sink, Hint{.min = -100, .max = 100, .unit = "m"});
+    v("align", l.align, Hint{.min = 0, .max = 1});
+    v("slope", l.slope, Hint{.min = 0, .max = 90, .unit = "deg"});
+    v("altitude", l.altitude, Hint{.min = -100000, .max = 100000, .unit = "m"});
+    v("ground", l.ground, Hint{.optional = true});
+    v("clearance", l.clearance, Hint{.min = 0, .max = 1000, .unit = "m", .style = Style::Logarithmic});
+    v("meshes", l.meshes, Hint{});
+    v("shown", l.shown, Hint{});
+    v("seed", l.seed, Hint{.min = 0, .max = 4294967295.0});
 }
 
 // The id is the object's name in the file and never edited. The template is written by name, the transform inline.

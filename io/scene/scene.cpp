@@ -61,6 +61,76 @@ const CameraPath* Scene::findPath(std::string_view name) const
     return found == m_paths.end() ? nullptr : &*found;
 }
 
+const ScatterLayer* Scene::find(ScatterId id) const
+{
+    const auto found = std::ranges::find(m_scatterLayers, id, &ScatterLayer::id);
+    return found == m_scatterLayers.end() ? nullptr : &*found;
+}
+
+const ScatterLayer* Scene::findScatterLayer(std::string_view name) const
+{
+    const auto found = std::ranges::find(m_scatterLayers, name, &ScatterLayer::name);
+    return found == m_scatterLayers.end() ? nullptr : &*found;
+}
+
+const InstanceTiles& Scene::instances(ScatterId id) const
+{
+    static const InstanceTiles kNone;
+    const auto found = m_instances.find(id);
+    return found == m_instances.end() ? kNone : found->second;
+}
+
+const InstanceTile* Scene::find(const LayerTile& tile) const
+{
+    const InstanceTiles& tiles = instances(tile.layer);
+    const auto found = tiles.find(tile.tile);
+    return found == tiles.end() ? nullptr : found->second.get();
+}
+
+std::size_t Scene::instanceCount() const
+{
+    std::size_t count = 0;
+    for (const ScatterLayer& layer : m_scatterLayers)
+        count += io::instanceCount(instances(layer.id));
+    return count;
+}
+
+ObjectId Scene::idOf(const InstanceRef& instance) const
+{
+    const ObjectId first = m_instanceIds.first(instance.at);
+    return first == ObjectId::None ? first : ObjectId{number(first) + instance.index};
+}
+
+std::optional<InstanceRef> Scene::findInstance(ObjectId id) const
+{
+    const std::optional<InstanceRef> found = isInstance(id) ? m_instanceIds.find(id) : std::nullopt;
+    return found && find(found->at.layer) ? found : std::nullopt;
+}
+
+const Instance& Scene::at(const InstanceRef& instance) const
+{
+    const InstanceTile* tile = find(instance.at);
+    EXPECTS(tile && instance.index < tile->instances.size());
+    return tile->instances[instance.index];
+}
+
+TemplateId Scene::templateOf(const InstanceRef& instance) const
+{
+    const ScatterLayer* layer = find(instance.at.layer);
+    const std::size_t species = at(instance).species;
+    return layer && species < layer->species.size() ? findTemplate(layer->species[species].templateName) : TemplateId::None;
+}
+
+void Scene::takeIdsUpTo(ScatterId last)
+{
+    m_lastScatterId = std::max(m_lastScatterId, number(last));
+}
+
+ScatterId Scene::freshScatterId()
+{
+    return ScatterId{++m_lastScatterId};
+}
+
 ObjectId Scene::freshId()
 {
     return ObjectId{++m_lastId};
@@ -80,7 +150,7 @@ TemplateId Scene::templateSlot(std::string_view name)
 
 std::optional<Object> Scene::exchange(ObjectId id, std::optional<Object> object)
 {
-    EXPECTS(id != ObjectId::None);
+    EXPECTS(id != ObjectId::None && !isInstance(id));
     const auto found = m_indexOf.find(number(id));
     takeIdsUpTo(id);
     if (object) object->id = id;
@@ -152,6 +222,41 @@ std::vector<CameraPath> Scene::exchange(std::vector<CameraPath> paths)
     return std::exchange(m_paths, std::move(paths));
 }
 
+std::vector<ScatterLayer> Scene::exchange(std::vector<ScatterLayer> layers)
+{
+    for (const ScatterLayer& layer : layers)
+        takeIdsUpTo(layer.id);
+    return std::exchange(m_scatterLayers, std::move(layers));
+}
+
+InstanceTiles Scene::exchange(ScatterId layer, InstanceTiles tiles)
+{
+    InstanceTiles before = instances(layer);
+    for (const auto& [place, tile] : before)
+        if (!tiles.contains(place)) m_instanceIds.set({layer, place}, 0);
+    for (const auto& [place, tile] : tiles)
+        m_instanceIds.set({layer, place}, tile->instances.size());
+    if (tiles.empty()) m_instances.erase(layer);
+    else m_instances[layer] = std::move(tiles);
+    return before;
+}
+
+std::shared_ptr<const InstanceTile> Scene::exchange(const LayerTile& tile, std::shared_ptr<const InstanceTile> value)
+{
+    if (value && value->empty()) value = nullptr;
+    m_instanceIds.set(tile, value ? value->instances.size() : 0);
+    InstanceTiles& tiles = m_instances[tile.layer];
+    std::shared_ptr<const InstanceTile> before;
+    if (const auto known = tiles.find(tile.tile); known != tiles.end()) {
+        before = std::exchange(known->second, std::move(value));
+        if (!known->second) tiles.erase(known);
+    } else if (value) {
+        tiles.emplace(tile.tile, std::move(value));
+    }
+    if (tiles.empty()) m_instances.erase(tile.layer);
+    return before;
+}
+
 void Scene::reserve(std::size_t objects)
 {
     m_objects.reserve(objects);
@@ -165,6 +270,9 @@ bool sameContent(const Scene& a, const Scene& b)
         !a.cover() != !b.cover() || (a.cover() && *a.cover() != *b.cover()) ||
         a.grass() != b.grass() || !a.grassMap() != !b.grassMap() || (a.grassMap() && *a.grassMap() != *b.grassMap()) || !std::ranges::equal(a.cameras(), b.cameras()) || !std::ranges::equal(a.paths(), b.paths()))
         return false;
+    if (!std::ranges::equal(a.scatterLayers(), b.scatterLayers())) return false;
+    for (const ScatterLayer& layer : a.scatterLayers())
+        if (!sameInstances(a.instances(layer.id), b.instances(layer.id))) return false;
     for (const Object& object : a.objects()) {
         const Object* other = b.find(object.id);
         if (!other || a.templateName(object.templateId) != b.templateName(other->templateId)) return false;

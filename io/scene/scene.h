@@ -9,10 +9,13 @@
 #include "io/scene/grass.h"
 #include "io/scene/height_map.h"
 #include "io/scene/ids.h"
+#include "io/scene/instance_ids.h"
 #include "io/scene/object.h"
+#include "io/scene/scatter.h"
 #include "io/scene/template.h"
 #include "io/scene/terrain.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -53,9 +56,25 @@ public:
     const Camera* findCamera(std::string_view name) const;
     const CameraPath* findPath(std::string_view name) const;
 
+    // Instances of a layer that is not in the list lie there unseen, until they are removed too.
+    std::span<const ScatterLayer> scatterLayers() const { return m_scatterLayers; }
+    const ScatterLayer* find(ScatterId id) const;
+    const ScatterLayer* findScatterLayer(std::string_view name) const;
+    const InstanceTiles& instances(ScatterId id) const;
+    const InstanceTile* find(const LayerTile& tile) const;
+    std::size_t instanceCount() const; // of the layers in the list
+
+    // The number of an instance, for as long as its tile stays as it is; ObjectId::None, or nothing, where there is none.
+    ObjectId idOf(const InstanceRef& instance) const;
+    std::optional<InstanceRef> findInstance(ObjectId id) const;
+    const Instance& at(const InstanceRef& instance) const; // it is in the scene
+    TemplateId templateOf(const InstanceRef& instance) const; // None where the project has no such template
+
     // Ids and slots that no one has used. They are taken by being handed out.
     ObjectId freshId();
     void takeIdsUpTo(ObjectId last);
+    ScatterId freshScatterId();
+    void takeIdsUpTo(ScatterId last);
     TemplateId templateSlot(std::string_view name); // the slot of that name, made when there is none
 
     // The only mutators. Each sets what is given (an empty value removes) and answers what was there.
@@ -69,6 +88,9 @@ public:
     std::shared_ptr<const GrassMap> exchange(std::shared_ptr<const GrassMap> map);
     std::vector<Camera> exchange(std::vector<Camera> cameras);
     std::vector<CameraPath> exchange(std::vector<CameraPath> paths);
+    std::vector<ScatterLayer> exchange(std::vector<ScatterLayer> layers);
+    InstanceTiles exchange(ScatterId layer, InstanceTiles tiles);
+    std::shared_ptr<const InstanceTile> exchange(const LayerTile& tile, std::shared_ptr<const InstanceTile> value);
 
     void reserve(std::size_t objects);
 
@@ -90,6 +112,10 @@ private:
     std::shared_ptr<const GrassMap> m_grassMap;
     std::vector<Camera> m_cameras;
     std::vector<CameraPath> m_paths;
+    std::vector<ScatterLayer> m_scatterLayers;
+    std::map<ScatterId, InstanceTiles> m_instances; // no layer without any
+    InstanceIds m_instanceIds;
+    std::uint32_t m_lastScatterId = 0;
 };
 
 // The same world, whatever order its objects lie in.

@@ -1,0 +1,117 @@
+#include "editor/scatter_steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace editor {
+
+PlantSurface visibleSurface(const io::Scene& scene, const Picker& picker)
+{
+    return [&scene, &picker](double x, double z) -> std::optional<PlantSpot> {
+        constexpr double kSky = 1e5; // m
+        for (const PickHit& hit : picker.pickAll({.origin = {x, kSky, z}, .direction = {0, -1, 0}}))
+            if (hit.surface == Surface::Terrain || scene.find(hit.id)) return PlantSpot{hit.position, hit.normal};
+        return std::nullopt;
+    };
+}
+
+Planting plantingOf(const Document& document, const io::ScatterLayer& layer, const Picker* picker)
+{
+    PlantSurface surface;
+    if (layer.meshes && picker) surface = visibleSurface(document.scene(), *picker);
+    return {plantRules(document.scene(), document.assets(), layer), document.scene(), std::move(surface)};
+}
+
+bool anyRules(const io::Scene& scene)
+{
+    return std::ranges::any_of(scene.scatterLayers(), &io::ScatterLayer::rule);
+}
+
+void followRules(Document& document, const std::string& name, const PlaneRect& bounds)
+{
+    for (const io::ScatterLayer& layer : std::vector<io::ScatterLayer>{document.scene().scatterLayers().begin(), document.scene().scatterLayers().end()})
+        if (layer.rule)
+            if (auto slots = evaluated(layerTiles(document.scene(), layer), plantingOf(document, layer), bounds)) setInstances(document, name, *std::move(slots));
+}
+
+void liftPlants(Document& document, const std::string& name, const io::HeightMap& before, const PlaneRect& bounds)
+{
+    const auto& now = document.scene().heights();
+    if (!now) return;
+    InstanceSlots slots;
+    const double side = io::kInstanceTile;
+    const glm::ivec2 low{glm::floor(bounds.low / side)}, high{glm::floor(bounds.high / side)};
+    for (const io::ScatterLayer& layer : document.scene().scatterLayers())
+        for (int z = low.y; z <= high.y; ++z)
+            for (int x = low.x; x <= high.x; ++x) {
+                const io::LayerTile where{layer.id, {x, z}};
+                const io::InstanceTile* tile = document.scene().find(where);
+                if (!tile) continue;
+                io::InstanceTile lifted = *tile;
+                for (io::Instance& instance : lifted.instances) {
+                    const glm::dvec2 at = glm::dvec2{x, z} * side + glm::dvec2{instance.x, instance.z} * io::kInstanceStep;
+                    const auto old = before.height(at.x, at.y), risen = now->height(at.x, at.y);
+                    if (old && risen) instance.y += std::int32_t(std::lround((*risen - *old) / io::kInstanceStep));
+                }
+                if (lifted != *tile) slots.emplace_back(where, std::make_shared<const io::InstanceTile>(std::move(lifted)));
+            }
+    if (!slots.empty()) setInstances(document, name, std::move(slots));
+}
+
+void clearPlants(Document& document, const std::string& name, io::ScatterId layer)
+{
+    InstanceSlots slots;
+    for (const auto& [place, tile] : document.scene().instances(layer))
+        slots.emplace_back(io::LayerTile{layer, place}, nullptr);
+    setInstances(document, name, std::move(slots));
+}
+
+std::vector<io::ObjectId> plantsToObjects(Document& document, const std::string& name, io::ScatterId id, const PlantRegion& region)
+{
+    const io::ScatterLayer* layer = document.scene().find(id);
+    if (!layer) return {};
+    std::vector<io::ObjectId> ids;
+    std::vector<io::Object> objects;
+    for (const auto& [place, tile] : document.scene().instances(id))
+        for (const io::Instance& instance : tile->instances) {
+            const io::Transform transform = transformOf(place, instance);
+            if (instance.species >= layer->species.size() || !region.contains({transform.position.x, transform.position.z})) continue;
+            const io::TemplateId what = document.scene().findTemplate(layer->species[instance.species].templateName);
+            if (!document.scene().find(what)) continue;
+            ids.push_back(document.freshId());
+            objects.push_back({.id = ids.back(), .templateId = what, .transform = transform});
+        }
+    const Gesture gesture{document, name};
+    setInstances(document, name, erased(layerTiles(document.scene(), *layer), region));
+    addObjects(document, name, std::move(objects));
+    return ids;
+}
+
+std::size_t objectsToPlants(Document& document, const std::string& name, const io::ScatterLayer& layer, std::span<const io::ObjectId> ids)
+{
+    std::map<glm::ivec2, io::InstanceTile, io::TileOrder> tiles;
+    std::vector<io::ObjectId> gone;
+    for (const io::ObjectId id : ids) {
+        const io::Object* object = document.scene().find(id);
+        if (!object || object->parent != io::ObjectId::None) continue;
+        const glm::vec3& scale = object->transform.scale;
+        const auto species = std::ranges::find(layer.species, document.scene().templateName(object->templateId), &io::Species::templateName);
+        if (species == layer.species.end() || scale.x != scale.y || scale.x != scale.z) continue;
+        const io::PlacedInstance placed = io::instanceAt(object->transform, int(species - layer.species.begin()), io::kPaintedInstance);
+        const auto [tile, isNew] = tiles.try_emplace(placed.tile);
+        if (isNew)
+            if (const io::InstanceTile* before = document.scene().find(io::LayerTile{layer.id, placed.tile})) tile->second = *before;
+        tile->second.instances.push_back(placed.instance);
+        gone.push_back(id);
+    }
+    if (gone.empty()) return 0;
+    InstanceSlots slots;
+    for (auto& [place, tile] : tiles)
+        slots.emplace_back(io::LayerTile{layer.id, place}, std::make_shared<const io::InstanceTile>(std::move(tile)));
+    const Gesture gesture{document, name};
+    removeObjects(document, name, gone);
+    setInstances(document, name, std::move(slots));
+    return gone.size();
+}
+
+} // namespace editor
