@@ -2,15 +2,22 @@
 #include "editor/actions.h"
 #include "editor/arrange.h"
 #include "editor/editor.h"
+#include "editor/instance_edits.h"
 #include "editor/placement.h"
 #include "editor/text.h"
 
 namespace editor {
 namespace {
 
+// The objects of the selection.
 std::vector<io::ObjectId> selected(Editor& e)
 {
-    return {e.selection().ids().begin(), e.selection().ids().end()};
+    return withoutInstances(e.selection().ids());
+}
+
+std::vector<io::ObjectId> selectedInstances(Editor& e)
+{
+    return instancesAmong(e.document()->scene(), e.selection().ids());
 }
 
 void select(Editor& e, std::span<const io::ObjectId> ids)
@@ -21,7 +28,32 @@ void select(Editor& e, std::span<const io::ObjectId> ids)
 
 void removeSelected(Editor& e, const char* textKey)
 {
-    e.step(textKey, [&](Document& d) { removeObjects(d, tr(textKey), selected(e)); });
+    const std::vector<io::ObjectId> objects = selected(e), instances = selectedInstances(e);
+    e.step(textKey, [&](Document& d) {
+        removeObjects(d, tr(textKey), objects);
+        removeInstances(d, tr(textKey), instances);
+    });
+}
+
+void promoteSelected(Editor& e)
+{
+    std::vector<io::ObjectId> made = selected(e);
+    e.step("undo.promote", [&](Document& d) {
+        const std::vector<io::ObjectId> objects = promote(d, tr("undo.promote"), selectedInstances(e));
+        made.insert(made.end(), objects.begin(), objects.end());
+    });
+    select(e, made);
+}
+
+void demoteSelected(Editor& e)
+{
+    Demoted done;
+    e.step("undo.demote", [&](Document& d) { done = demote(d, tr("undo.demote"), selected(e)); });
+    if (done.left > 0) e.toasts().add(io::log::Level::Warning, trf("message.not_demoted", done.left));
+    std::vector<io::ObjectId> made;
+    for (const io::InstanceRef& instance : done.instances)
+        made.push_back(e.document()->scene().idOf(instance));
+    if (!made.empty()) select(e, made);
 }
 
 void copySelected(Editor& e)
@@ -176,6 +208,7 @@ void editActions(Actions& a, Editor& e)
 {
     const auto open = [&e] { return e.document() != nullptr; };
     const auto any = [&e] { return e.document() && !e.selection().empty(); };
+    const auto anyObject = [&e] { return e.document() && !selected(e).empty(); };
     a.add({.id = "undo",
            .icon = Icon::Undo,
            .keys = ctrl(Key::Z),
@@ -194,14 +227,14 @@ void editActions(Actions& a, Editor& e)
     a.add({.id = "cut",
            .keys = ctrl(Key::X),
            .run = [&e] { copySelected(e), removeSelected(e, "undo.cut"); },
-           .enabled = any});
-    a.add({.id = "copy", .icon = Icon::Copy, .keys = ctrl(Key::C), .run = [&e] { copySelected(e); }, .enabled = any});
+           .enabled = anyObject});
+    a.add({.id = "copy", .icon = Icon::Copy, .keys = ctrl(Key::C), .run = [&e] { copySelected(e); }, .enabled = anyObject});
     a.add({.id = "paste", .keys = ctrl(Key::V), .run = [&e] { pasteClipboard(e); }, .enabled = open});
     a.add({.id = "duplicate",
            .icon = Icon::Copy,
            .keys = ctrl(Key::D),
            .run = [&e] { duplicateSelected(e); },
-           .enabled = any});
+           .enabled = anyObject});
     a.add({.id = "delete",
            .icon = Icon::Trash,
            .keys = {.key = Key::Delete},
@@ -222,11 +255,15 @@ void editActions(Actions& a, Editor& e)
            .run = [&e] { e.selection().set(sameTemplate(e.document()->scene(), selected(e))); },
            .enabled = any});
     a.add(
-        {.id = "group", .icon = Icon::Group, .keys = ctrl(Key::G), .run = [&e] { groupSelected(e); }, .enabled = any});
+        {.id = "group", .icon = Icon::Group, .keys = ctrl(Key::G), .run = [&e] { groupSelected(e); }, .enabled = anyObject});
     a.add({.id = "ungroup",
            .keys = ctrlShift(Key::G),
            .run = [&e] { ungroupSelected(e); },
            .enabled = [any, &e] { return any() && hasGroup(e); }});
+    a.add({.id = "promote", .run = [&e] { promoteSelected(e); }, .enabled = [&e] { return e.document() && !selectedInstances(e).empty(); }});
+    a.add({.id = "demote",
+           .run = [&e] { demoteSelected(e); },
+           .enabled = [&e] { return e.document() && !e.document()->scene().scatterLayers().empty() && !selected(e).empty(); }});
 }
 
 void viewActions(Actions& a, Editor& e)

@@ -1,5 +1,6 @@
 #include "editor/arguments.h"
 
+#include "editor/instance_edits.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -130,9 +131,29 @@ std::vector<io::ObjectId> Arguments::ids()
             for (const io::Value& item : *items)
                 result.push_back(objectOf(item));
     } else {
-        result.assign(m_script.selection().ids().begin(), m_script.selection().ids().end());
+        result = withoutInstances(m_script.selection().ids());
     }
     if (result.empty()) fail("nothing is selected; select something or give \"ids\"");
+    return result;
+}
+
+std::vector<io::ObjectId> Arguments::instances()
+{
+    const io::Scene& scene = m_script.document().scene();
+    std::vector<io::ObjectId> result;
+    if (const io::Value* found = value("ids")) {
+        if (!found->asArray()) fail("\"ids\" must be numbers in brackets");
+        if (const io::Value::Array* items = found->asArray())
+            for (const io::Value& item : *items) {
+                const double number = item.asNumber() ? *item.asNumber() : 0;
+                const io::ObjectId id{number >= 1 && number <= io::kLastInstanceId && number == std::floor(number) ? std::uint32_t(number) : 0};
+                if (!scene.findInstance(id)) fail("\"ids\" must be those of instances, as \"instances\" and \"pick\" answer them");
+                result.push_back(id);
+            }
+    } else {
+        result = instancesAmong(scene, m_script.selection().ids());
+    }
+    if (result.empty()) fail("no instance is selected; select some or give \"ids\"");
     return result;
 }
 

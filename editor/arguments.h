@@ -28,6 +28,7 @@ public:
     std::optional<glm::dvec3> factors(std::string_view key); // one number serves all three
     io::ObjectId object(std::string_view key);               // one that is in the scene
     std::vector<io::ObjectId> ids();                         // "ids", or the selection; never empty
+    std::vector<io::ObjectId> instances();                   // likewise, of scatter layers
     io::TemplateId templateNamed(std::string_view key);
 
     void fail(std::string why)

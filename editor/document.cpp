@@ -188,7 +188,7 @@ void removeObjects(Document& document, std::string name, std::span<const io::Obj
 {
     std::vector<SwapObjects::Slot> slots;
     for (const io::ObjectId id : document.hierarchy().withMembers(ids))
-        slots.emplace_back(id, std::nullopt);
+        if (document.scene().find(id)) slots.emplace_back(id, std::nullopt);
     document.run(std::make_unique<SwapObjects>(std::move(name), std::move(slots)));
 }
 

@@ -225,6 +225,7 @@ io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::
     const auto heightFilesBefore = m_world.heightFiles;
     const auto coverFilesBefore = m_world.coverFiles;
     const auto grassFilesBefore = m_world.grassFiles;
+    const auto instanceFilesBefore = m_world.instanceFiles;
     const io::Terrain terrainBefore = m_world.scene.terrain();
     const std::uint64_t savedBefore = m_savedState;
     m_world.project.folder = half;
@@ -243,6 +244,7 @@ io::Result<io::FileTransaction::Report> Document::saveAs(const std::filesystem::
         m_world.heightFiles = heightFilesBefore;
         m_world.coverFiles = coverFilesBefore;
         m_world.grassFiles = grassFilesBefore;
+        m_world.instanceFiles = instanceFilesBefore;
         m_world.scene.exchange(terrainBefore);
         m_savedState = savedBefore;
         fs::remove_all(half, fault);

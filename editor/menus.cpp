@@ -1,6 +1,7 @@
 #include "editor/menus.h"
 
 #include "editor/editor.h"
+#include "editor/instance_edits.h"
 #include "editor/text.h"
 #include "editor/widgets.h"
 
@@ -58,7 +59,7 @@ void editMenu(Editor& editor)
 {
     if (!ui::beginMenu(tr("menu.edit"))) return;
     items(editor, {"undo", "redo", "", "cut", "copy", "paste", "duplicate", "delete", "", "select_all", "select_none",
-                   "invert", "select_same", "", "group", "ungroup"});
+                   "invert", "select_same", "", "group", "ungroup", "", "promote", "demote"});
     ImGui::EndMenu();
 }
 
@@ -208,7 +209,10 @@ std::string selectionText(Editor& editor)
     const Selection& selection = editor.selection();
     if (selection.empty()) return tr("status.none_selected");
     const io::Object* primary = editor.document()->scene().find(selection.primary());
-    const std::string name = primary ? displayName(editor.document()->scene(), *primary) : std::string{};
+    const auto instance = editor.document()->scene().findInstance(selection.primary());
+    const std::string name = primary    ? displayName(editor.document()->scene(), *primary)
+                             : instance ? instanceName(editor.document()->scene(), *instance)
+                                        : std::string{};
     return selection.size() == 1 ? name : trf("status.selected", selection.size(), name);
 }
 
@@ -244,7 +248,7 @@ float toolbar(Editor& editor, float top)
     divider();
     tools(editor, {"undo", "redo"});
     divider();
-    tools(editor, {"tool_select", "tool_move", "tool_rotate", "tool_scale", "tool_sculpt"});
+    tools(editor, {"tool_select", "tool_move", "tool_rotate", "tool_scale", "tool_sculpt", "tool_scatter"});
     divider();
     tools(editor, {"space", "snap"});
     divider();

@@ -170,7 +170,7 @@ PickHit ClickCycle::next(std::span<const PickHit> hits, glm::dvec2 pixel)
     // The ground counts only where nothing is before it: behind a tree, the next click means the next tree.
     std::vector<PickHit> offered;
     for (const PickHit& hit : hits)
-        if (hit.surface == Surface::Object || offered.empty()) offered.push_back(hit);
+        if (hit.surface != Surface::Terrain || offered.empty()) offered.push_back(hit);
     std::vector<io::ObjectId> ids;
     for (const PickHit& hit : offered)
         ids.push_back(hit.id);

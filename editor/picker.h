@@ -14,11 +14,15 @@
 
 namespace editor {
 
-enum class Surface { None, Object, Terrain };
+enum class Surface { None, Object, Terrain, Instance };
+constexpr const char* nameOf(Surface surface)
+{
+    return surface == Surface::Object ? "object" : surface == Surface::Terrain ? "terrain" : surface == Surface::Instance ? "instance" : "none";
+}
 
 struct PickHit {
     Surface surface = Surface::None;
-    io::ObjectId id = io::ObjectId::None;
+    io::ObjectId id = io::ObjectId::None; // of an instance too: Scene::findInstance()
     io::TemplateId templateId = io::TemplateId::None;
     glm::dvec3 position{0};     // m, world
     glm::dvec3 normal{0, 1, 0}; // of the triangle, unit, towards the ray's origin
@@ -29,7 +33,7 @@ struct PickHit {
 
 struct PickOptions {
     std::span<const io::ObjectId> skip; // rays pass through these
-    bool objects = true;
+    bool objects = true; // and instances
     bool terrain = true;
     double maxDistance = 1e7; // m
     double pixelWidth = 0; // m, of a pixel at 1 m: leaves are then judged as the picture shows them, blurred far away

@@ -1,5 +1,6 @@
 #include "editor/placement.h"
 
+#include "editor/instance_edits.h"
 #include "editor/random.h"
 
 #include <algorithm>
@@ -95,6 +96,8 @@ io::WorldBox boundsOf(const Document& document, std::span<const io::ObjectId> id
     io::WorldBox all;
     for (const io::ObjectId id : document.hierarchy().withMembers(ids)) {
         const io::Object* object = document.scene().find(id);
+        const auto instance = document.scene().findInstance(id);
+        if (instance) all.add(io::worldBounds(document.assets(), objectOf(document.scene(), *instance)));
         if (!object) continue;
         const io::WorldBox own = io::worldBounds(document.assets(), *object);
         if (!own.empty())

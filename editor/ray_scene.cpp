@@ -3,9 +3,11 @@
 #include "editor/ray_tiles.h"
 #include "io/base/contract.h"
 #include "io/base/log.h"
+#include "io/scene/instance_walk.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <unordered_map>
 
 namespace editor {
@@ -41,6 +43,18 @@ struct RayScene::State {
     io::HandleTable placeOf; // object id -> place, as its node
     RayTiles tiles{device.get(), [this](io::TemplateId id) { return shown(id); }};
     bool boxesOnly = false;
+    struct Numbers { // of a tile's instances, one after the other
+        std::uint32_t first = 0, end = 0;
+    };
+    std::map<io::LayerTile, Numbers> numbersOf;
+
+    static Numbers numbersIn(const io::Scene& scene, const io::LayerTile& at)
+    {
+        const io::ScatterLayer* layer = scene.find(at.layer);
+        const io::InstanceTile* tile = layer && layer->shown ? scene.find(at) : nullptr;
+        const std::uint32_t first = tile ? io::number(scene.idOf({at, 0})) : 0;
+        return {first, first + std::uint32_t(tile ? tile->instances.size() : 0)};
+    }
 
     State()
     {
@@ -108,25 +122,57 @@ struct RayScene::State {
         return place;
     }
 
-    void set(const io::Object& object, const io::Assets& assets)
+    void set(io::ObjectId id, io::TemplateId templateId, const io::Transform& transform, const io::Assets& assets)
     {
-        const io::WorldBox bounds = known(assets, object.templateId) ? io::worldBounds(assets, object) : io::WorldBox{};
-        if (!withinReach(bounds)) return remove(object.id);
+        const io::WorldBox bounds = known(assets, templateId) ? io::transformed(assets.model(templateId)->bounds, io::worldFromModel(transform)) : io::WorldBox{};
+        if (!withinReach(bounds)) return remove(id);
 
-        std::uint32_t place = find(object.id);
+        std::uint32_t place = find(id);
         if (place != io::HandleTable::kNowhere) {
             const RayInstance& instance = tiles.instances[place];
-            if (instance.templateId == object.templateId && instance.transform == object.transform) return;
+            if (instance.templateId == templateId && instance.transform == transform) return;
             tiles.takeOut(place);
         } else {
-            place = newPlace(object.id);
+            place = newPlace(id);
         }
         RayInstance& instance = tiles.instances[place];
-        instance.id = object.id;
-        instance.templateId = object.templateId;
-        instance.transform = object.transform;
+        instance.id = id;
+        instance.templateId = templateId;
+        instance.transform = transform;
         instance.bounds = bounds;
         tiles.add(place);
+    }
+    void set(const io::Object& object, const io::Assets& assets) { set(object.id, object.templateId, object.transform, assets); }
+
+    // All that go before any come, as numbers go from one tile to another.
+    void setInstances(const io::Scene& scene, const io::Assets& assets, std::span<const io::LayerTile> changed)
+    {
+        for (const io::LayerTile& at : changed) {
+            const auto before = numbersOf.find(at);
+            if (before == numbersOf.end()) continue;
+            const Numbers now = numbersIn(scene, at);
+            for (std::uint32_t id = before->second.first; id < before->second.end; ++id)
+                if (id < now.first || id >= now.end) remove(io::ObjectId{id});
+            numbersOf.erase(before);
+        }
+        for (const io::LayerTile& at : changed) {
+            const Numbers now = numbersIn(scene, at);
+            if (now.first == now.end) continue;
+            numbersOf[at] = now;
+            io::eachInstance(scene, at, [&](io::ObjectId id, io::TemplateId templateId, const io::Transform& transform) { set(id, templateId, transform, assets); });
+        }
+    }
+
+    // The tiles that were, and those that are.
+    std::vector<io::LayerTile> allTiles(const io::Scene& scene) const
+    {
+        std::vector<io::LayerTile> all;
+        for (const auto& [at, numbers] : numbersOf)
+            all.push_back(at);
+        io::eachTile(scene, [&](const io::LayerTile& at) {
+            if (!numbersOf.contains(at)) all.push_back(at);
+        });
+        return all;
     }
 
     void setAll(const io::Scene& scene, const io::Assets& assets)
@@ -137,10 +183,13 @@ struct RayScene::State {
         templates.clear();
         meshes.clear();
         boxes.clear();
-        placeOf.reserve(scene.objects().size());
-        tiles.instances.reserve(scene.objects().size());
+        numbersOf.clear();
+        const std::size_t count = scene.objects().size() + scene.instanceCount();
+        placeOf.reserve(count);
+        tiles.instances.reserve(count);
         for (const io::Object& object : scene.objects())
             set(object, assets);
+        setInstances(scene, assets, allTiles(scene));
     }
 
     // Instances of templates whose model is another one now.
@@ -160,6 +209,12 @@ struct RayScene::State {
             remove(object.id);
             set(object, assets);
         }
+        for (const auto& [at, numbers] : numbersOf)
+            io::eachInstance(scene, at, [&](io::ObjectId id, io::TemplateId templateId, const io::Transform& transform) {
+                if (std::ranges::find(other, templateId) == other.end()) return;
+                remove(id);
+                set(id, templateId, transform, assets);
+            });
     }
 };
 
@@ -177,6 +232,8 @@ void RayScene::update(const io::Scene& scene, const io::Assets& assets, const io
         else
             s.remove(id);
     }
+    if (changes.scatter) s.setInstances(scene, assets, s.allTiles(scene));
+    else s.setInstances(scene, assets, changes.instances);
 }
 
 void RayScene::setBoxesOnly(bool boxesOnly)
@@ -200,7 +257,7 @@ namespace {
 PickHit exactly(const io::Ray& ray, const RayTreeHit& found, const RayInstance& instance)
 {
     PickHit hit{
-        .surface = Surface::Object, .id = instance.id, .templateId = instance.templateId, .distance = found.distance};
+        .surface = io::isInstance(instance.id) ? Surface::Instance : Surface::Object, .id = instance.id, .templateId = instance.templateId, .distance = found.distance};
     const glm::dmat3 linear{*found.linear}; // as good as what is drawn, and no sines
     const std::size_t first = found.part->firstIndex + 3 * found.triangle;
     const glm::dvec3 corners[3] = {corner(*found.part->model, first), corner(*found.part->model, first + 1),

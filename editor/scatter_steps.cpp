@@ -1,6 +1,5 @@
 #include "editor/scatter_steps.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace editor {
@@ -22,15 +21,10 @@ Planting plantingOf(const Document& document, const io::ScatterLayer& layer, con
     return {plantRules(document.scene(), document.assets(), layer), document.scene(), std::move(surface)};
 }
 
-bool anyRules(const io::Scene& scene)
-{
-    return std::ranges::any_of(scene.scatterLayers(), &io::ScatterLayer::rule);
-}
-
 void followRules(Document& document, const std::string& name, const PlaneRect& bounds)
 {
     for (const io::ScatterLayer& layer : std::vector<io::ScatterLayer>{document.scene().scatterLayers().begin(), document.scene().scatterLayers().end()})
-        if (layer.rule)
+        if (layer.rule && !layer.meshes)
             if (auto slots = evaluated(layerTiles(document.scene(), layer), plantingOf(document, layer), bounds)) setInstances(document, name, *std::move(slots));
 }
 
@@ -85,33 +79,6 @@ std::vector<io::ObjectId> plantsToObjects(Document& document, const std::string&
     setInstances(document, name, erased(layerTiles(document.scene(), *layer), region));
     addObjects(document, name, std::move(objects));
     return ids;
-}
-
-std::size_t objectsToPlants(Document& document, const std::string& name, const io::ScatterLayer& layer, std::span<const io::ObjectId> ids)
-{
-    std::map<glm::ivec2, io::InstanceTile, io::TileOrder> tiles;
-    std::vector<io::ObjectId> gone;
-    for (const io::ObjectId id : ids) {
-        const io::Object* object = document.scene().find(id);
-        if (!object || object->parent != io::ObjectId::None) continue;
-        const glm::vec3& scale = object->transform.scale;
-        const auto species = std::ranges::find(layer.species, document.scene().templateName(object->templateId), &io::Species::templateName);
-        if (species == layer.species.end() || scale.x != scale.y || scale.x != scale.z) continue;
-        const io::PlacedInstance placed = io::instanceAt(object->transform, int(species - layer.species.begin()), io::kPaintedInstance);
-        const auto [tile, isNew] = tiles.try_emplace(placed.tile);
-        if (isNew)
-            if (const io::InstanceTile* before = document.scene().find(io::LayerTile{layer.id, placed.tile})) tile->second = *before;
-        tile->second.instances.push_back(placed.instance);
-        gone.push_back(id);
-    }
-    if (gone.empty()) return 0;
-    InstanceSlots slots;
-    for (auto& [place, tile] : tiles)
-        slots.emplace_back(io::LayerTile{layer.id, place}, std::make_shared<const io::InstanceTile>(std::move(tile)));
-    const Gesture gesture{document, name};
-    removeObjects(document, name, gone);
-    setInstances(document, name, std::move(slots));
-    return gone.size();
 }
 
 } // namespace editor

@@ -9,7 +9,7 @@ namespace {
 
 const ScriptCommand* findCommand(std::string_view name)
 {
-    for (const auto commands : {placeCommands(), scatterCommands(), transformCommands(), documentCommands(), groundCommands(), landscapeCommands(), heightCommands(), lookCommands(), queryCommands()})
+    for (const auto commands : {placeCommands(), scatterCommands(), transformCommands(), documentCommands(), groundCommands(), landscapeCommands(), heightCommands(), lookCommands(), instanceCommands(), queryCommands()})
         for (const ScriptCommand& command : commands)
             if (command.name == name) return &command;
     return nullptr;

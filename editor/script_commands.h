@@ -28,6 +28,7 @@ std::span<const ScriptCommand> groundCommands();    // sculpt paint
 std::span<const ScriptCommand> landscapeCommands(); // generate resample crop offset
 std::span<const ScriptCommand> heightCommands();    // import_heights export_heights
 std::span<const ScriptCommand> lookCommands();      // look looks keep_look remove_look
+std::span<const ScriptCommand> instanceCommands();  // instances promote demote
 std::span<const ScriptCommand> queryCommands();     // objects object selection height pick stats history
 
 io::Value describe(const PickHit& hit, const io::Scene& scene);

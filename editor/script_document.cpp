@@ -59,7 +59,7 @@ std::vector<io::ObjectId> chosen(Script& script, Arguments& arguments)
     if (arguments.has("all"))
         return arguments.flag("all", true) ? allObjects(scene, hierarchy) : std::vector<io::ObjectId>{};
     const PickHit hit = script.picker().pick(script.view(), *arguments.pair("pixel"));
-    return hit.surface == Surface::Object ? grouped({hit.id}) : std::vector<io::ObjectId>{};
+    return hit.id != io::ObjectId::None ? grouped({hit.id}) : std::vector<io::ObjectId>{};
 }
 
 Answer select(Script& script, Arguments& arguments)

@@ -1,5 +1,6 @@
 #include "editor/script_commands.h"
 
+#include "editor/instance_edits.h"
 #include "editor/placement.h"
 #include "editor/properties.h"
 #include "io/scene/ground.h"
@@ -10,13 +11,12 @@ namespace editor {
 
 io::Value describe(const PickHit& hit, const io::Scene& scene)
 {
-    io::Value::Object members{{"surface", hit.surface == Surface::Object    ? "object"
-                                          : hit.surface == Surface::Terrain ? "terrain"
-                                                                            : "none"}};
-    if (hit.surface == Surface::Object) {
+    io::Value::Object members{{"surface", nameOf(hit.surface)}};
+    if (hit.id != io::ObjectId::None) {
         members.emplace_back("id", io::number(hit.id));
         members.emplace_back("template", scene.templateName(hit.templateId));
     }
+    if (const auto instance = scene.findInstance(hit.id)) members.emplace_back("layer", scene.find(instance->at.layer)->name);
     if (hit) {
         members.emplace_back("position", toValue(hit.position));
         members.emplace_back("normal", toValue(hit.normal));
@@ -109,6 +109,9 @@ Answer stats(Script& script, Arguments& arguments)
         instances += object.templateId != io::TemplateId::None;
         if (const io::Model* model = document.assets().model(object.templateId)) triangles += model->triangles();
     }
+    instances += document.scene().instanceCount();
+    for (const io::ScatterLayer& layer : document.scene().scatterLayers())
+        triangles += trianglesOf(document, layer);
     const auto templates =
         std::ranges::count_if(document.scene().templates(), [](const auto& slot) { return slot.value.has_value(); });
     io::Value::Object members{{"objects", std::uint64_t(document.scene().objects().size())},

@@ -206,14 +206,6 @@ Answer toObjects(Script& script, Arguments& arguments)
     return io::Value::Object{{"ids", toValue(ids)}, {"count", std::uint64_t(ids.size())}};
 }
 
-Answer toPlants(Script& script, Arguments& arguments)
-{
-    const io::ScatterLayer* layer = layerNamed(script, arguments);
-    const auto ids = arguments.ids();
-    if (const auto fault = arguments.finish()) return *fault;
-    return io::Value::Object{{"count", std::uint64_t(objectsToPlants(script.document(), "Objects to plants", io::ScatterLayer{*layer}, ids))}};
-}
-
 Answer plants(Script& script, Arguments& arguments)
 {
     const io::ScatterLayer* layer = layerNamed(script, arguments);
@@ -226,7 +218,7 @@ Answer plants(Script& script, Arguments& arguments)
 constexpr ScriptCommand kCommands[] = {
     {"scatter_layer", scatterLayer}, {"plant", plant},       {"erase_plants", erase},          {"thin", thin},
     {"replace_plants", replace},     {"evaluate", evaluate}, {"clear_plants", clear},          {"plants_to_objects", toObjects},
-    {"objects_to_plants", toPlants}, {"plants", plants},
+    {"plants", plants},
 };
 
 } // namespace

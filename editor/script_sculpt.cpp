@@ -1,6 +1,7 @@
 #include "editor/script_commands.h"
 
 #include "editor/painting.h"
+#include "editor/scatter_steps.h"
 #include "editor/stamp_file.h"
 #include "editor/stroke.h"
 
@@ -99,7 +100,10 @@ Answer paint(Script& script, Arguments& arguments)
     if (const auto fault = arguments.finish()) return *fault;
     const auto patch = paintOn(*scene.heights(), coverOf(scene), brush, {.centre = at.value_or(glm::dvec2{0}), .amount = strength}, everywhere);
     if (!patch) return io::Error{{}, "there is no ground there"};
+    const PlantRegion touched = everywhere ? PlantRegion::everywhere() : PlantRegion::disc(*at, double(brush.radius));
+    const Gesture gesture{script.document(), "Paint"};
     changeCover(script.document(), "Paint", *patch);
+    followRules(script.document(), "Paint", touched.bounds());
     return io::Value::Object{{"texels", io::Value::Array{patch->size.x, patch->size.y}}};
 }
 

@@ -35,6 +35,13 @@ void Selection::follow(const io::Scene& scene, const io::Changes& changes)
             gone = true;
         }
     };
+    // The number of an instance may name another one once its tile has changed.
+    const auto checkInstance = [&](io::ObjectId id) {
+        if (!io::isInstance(id)) return;
+        const auto instance = scene.findInstance(id);
+        if (!instance || std::ranges::binary_search(changes.instances, instance->at, std::less{})) check(id);
+    };
+    if (!changes.instances.empty() || changes.scatter) std::ranges::for_each(m_ids, checkInstance);
     if (changes.everything)
         std::ranges::for_each(m_ids, check);
     else

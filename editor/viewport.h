@@ -81,6 +81,7 @@ private:
 
     void click(Editor& editor);
     void selectBox(Editor& editor);
+    void promoteSelection(Editor& editor);
     bool beginGizmo(Editor& editor);
     void dragGizmo(Editor& editor);
     void endGizmo(Editor& editor, bool keep);

@@ -1,5 +1,6 @@
 // What lies over the picture: gizmo, selection box, boxes of groups, compass, hints, faults of shaders.
 #include "editor/editor.h"
+#include "editor/instance_edits.h"
 #include "editor/placement.h"
 #include "editor/statistics_overlay.h"
 #include "editor/text.h"
@@ -96,10 +97,11 @@ void Viewport::refreshSelectionShown(Editor& editor)
     m_tinted = document.hierarchy().withMembers(editor.selection().ids());
     const auto primary = std::find(m_tinted.begin(), m_tinted.end(), editor.selection().primary());
     if (primary != m_tinted.end()) std::rotate(primary, primary + 1, m_tinted.end());
-    std::erase_if(m_tinted, [&document](io::ObjectId id) { return !document.scene().find(id); });
+    const io::Scene& scene = document.scene();
+    std::erase_if(m_tinted, [&](io::ObjectId id) { return !scene.find(id) && !scene.findInstance(id); });
     m_transforms.clear();
     for (const io::ObjectId id : m_tinted)
-        m_transforms.push_back(document.scene().at(id).transform);
+        m_transforms.push_back(io::isInstance(id) ? objectOf(scene, *scene.findInstance(id)).transform : scene.at(id).transform);
     m_lines.clear();
     for (const io::ObjectId id : editor.selection().ids()) {
         const io::Object* object = document.scene().find(id);

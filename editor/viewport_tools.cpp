@@ -1,5 +1,6 @@
 // What the left button does in the viewport: click, box, gizmo.
 #include "editor/editor.h"
+#include "editor/instance_edits.h"
 #include "editor/text.h"
 #include "editor/undo_names.h"
 #include "editor/viewport.h"
@@ -23,7 +24,7 @@ void Viewport::click(Editor& editor)
     const PickHit hit = m_cycle.next(hits, pointer());
     Selection& selection = editor.selection();
     editor.inspectTemplate = false;
-    if (hit.surface != Surface::Object) {
+    if (hit.id == io::ObjectId::None) {
         if (!ImGui::GetIO().KeyCtrl && !ImGui::GetIO().KeyShift) selection.clear();
         return;
     }
@@ -58,10 +59,26 @@ bool Viewport::beginGizmo(Editor& editor)
 {
     if (!gizmoShown || gizmo.hovered() == GizmoHandle::None) return false;
     refreshSelectionShown(editor);
-    m_dragIds = m_tinted;
     if (!gizmo.begin(view(), gizmo.hovered(), pointer(), m_transforms)) return false;
     editor.document()->beginGesture(stepName(dragName(gizmo.mode), editor.selection().size()));
+    promoteSelection(editor);
+    m_dragIds = m_tinted;
     return true;
+}
+
+// Instances become objects when they are moved: one step with the move, and gone again when it is cancelled.
+void Viewport::promoteSelection(Editor& editor)
+{
+    const std::vector<io::ObjectId> before{editor.selection().ids().begin(), editor.selection().ids().end()};
+    const std::vector<io::ObjectId> instances = instancesAmong(editor.document()->scene(), before);
+    if (instances.empty()) return;
+    const std::vector<io::ObjectId> objects = promote(*editor.document(), tr("undo.promote"), instances);
+    std::vector<io::ObjectId> now = before;
+    for (std::size_t i = 0; i < instances.size(); ++i)
+        std::ranges::replace(now, instances[i], objects[i]);
+    editor.follow();
+    editor.selection().set(now);
+    refreshSelectionShown(editor);
 }
 
 void Viewport::dragGizmo(Editor& editor)
@@ -87,7 +104,7 @@ void Viewport::endGizmo(Editor& editor, bool keep)
 void Viewport::openContextMenu(Editor& editor)
 {
     const PickHit hit = editor.picker().pick(view(), m_pressed);
-    if (hit.surface == Surface::Object) {
+    if (hit.id != io::ObjectId::None) {
         const std::vector<io::ObjectId> ids = wholeGroups(editor.document()->hierarchy(), {&hit.id, 1});
         if (!ids.empty() && !editor.selection().contains(ids.front())) editor.selection().set(ids);
         editor.inspectTemplate = false;
@@ -104,7 +121,7 @@ void Viewport::contextMenu(Editor& editor)
         for (const char* id : {"cut", "copy", "paste", "duplicate", "delete"})
             actions.menuItem(id);
         ImGui::Separator();
-        for (const char* id : {"group", "ungroup", "drop", "select_same"})
+        for (const char* id : {"group", "ungroup", "promote", "drop", "select_same"})
             actions.menuItem(id);
         ImGui::Separator();
         for (const char* id : {"frame", "place_camera"})

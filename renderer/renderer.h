@@ -126,7 +126,7 @@ public:
     // What the last frame holds, read back (waits for the GPU). Top row first.
     io::Image readPicture();  // RGBA8, as shown
     io::Image readRadiance(); // RGB F32, scene-linear before exposure and tone mapping; of Show::Final
-    std::vector<std::uint32_t> readIds(glm::ivec2 topLeft, glm::ivec2 size); // object ids, 0 none, kTerrainId ground; of a frame that kept them
+    std::vector<std::uint32_t> readIds(glm::ivec2 topLeft, glm::ivec2 size); // of objects and instances (io/scene/ids.h), 0 none, kTerrainId ground; of a frame that kept them
 
     double readExposure(); // EV that the last frame was shown with, chosen by hand or by itself
 
@@ -145,7 +145,7 @@ private:
     std::unique_ptr<State> m_state;
 };
 
-constexpr std::uint32_t kTerrainId = 0xffffffffu;
+constexpr std::uint32_t kTerrainId = 0xffffffffu; // beyond io::kLastInstanceId
 
 // Matrices as the frame uses them: camera-relative, reversed depth in [0, 1], infinite far plane.
 glm::dmat4 viewFromRelative(const io::Camera& camera);           // rotation only; relative = world - eye

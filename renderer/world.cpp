@@ -1,6 +1,7 @@
 #include "renderer/world.h"
 
 #include "io/base/contract.h"
+#include "io/scene/instance_walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,8 @@ void World::update(const io::Scene& scene, const io::Assets& assets, const io::C
     if (!changes.templates.empty()) updateTemplates(scene, assets, changes.templates);
     for (const io::ObjectId id : changes.objects)
         updateObject(scene, id);
+    if (changes.scatter) updateInstances(scene, allTiles(scene), true);
+    else if (!changes.instances.empty()) updateInstances(scene, changes.instances, false);
     if (wasteful()) return rebuild(scene, assets);
     m_batched.uploadModels();
 }
@@ -47,6 +50,9 @@ void World::rebuild(const io::Scene& scene, const io::Assets& assets)
     m_batched.uploadModels();
 
     m_handleOf.clear();
+    m_tiles.clear();
+    m_tileOf.clear();
+    m_scattered = 0;
     m_bounds = {};
     m_mostSway = 0;
     m_selection.clear();
@@ -58,6 +64,7 @@ void World::rebuild(const io::Scene& scene, const io::Assets& assets)
     m_direct.grow();
     for (const io::Object& object : scene.objects())
         updateObject(scene, object.id);
+    updateInstances(scene, allTiles(scene), true);
     m_batched.settle();
     m_direct.settle();
     m_growing = false;
@@ -90,6 +97,7 @@ void World::updateTemplates(const io::Scene& scene, const io::Assets& assets, st
         if (id != io::TemplateId::None) readTemplate(scene, assets, id);
     for (const io::Object& object : scene.objects())
         if (std::ranges::find(ids, object.templateId) != ids.end()) updateObject(scene, object.id);
+    if (!m_tiles.empty()) updateInstances(scene, allTiles(scene), true);
     for (const TemplateState& state : before)
         unloadUnused(state);
 }
@@ -124,6 +132,13 @@ ModelRef World::modelOf(io::TemplateId id) const
 
 InstanceHandle World::handleOf(io::ObjectId id) const
 {
+    if (io::isInstance(id)) {
+        auto tile = m_tileOf.upper_bound(io::number(id));
+        if (tile == m_tileOf.begin()) return {};
+        const Tile& of = m_tiles.at((--tile)->second);
+        const std::uint32_t index = io::number(id) - of.first;
+        return index < of.handles.size() ? of.handles[index] : InstanceHandle{};
+    }
     const auto known = m_handleOf.find(io::number(id));
     return known == m_handleOf.end() ? InstanceHandle{} : known->second;
 }
@@ -137,36 +152,88 @@ const glsl::CullRecord* World::recordOf(io::ObjectId id) const
 void World::updateObject(const io::Scene& scene, io::ObjectId id)
 {
     const io::Object* object = scene.find(id);
-    if (object && stateOf(object->templateId).model >= 0 && isFinite(object->transform)) place(*object);
-    else remove(id);
+    if (!object) return remove(id);
+    const InstanceHandle before = handleOf(id);
+    const InstanceHandle now = place(before, {id, object->templateId, object->transform});
+    if (now == before) return;
+    if (now == InstanceHandle{}) m_handleOf.erase(io::number(id));
+    else m_handleOf[io::number(id)] = now;
 }
 
-void World::place(const io::Object& object)
+InstanceHandle World::place(InstanceHandle handle, const Standing& standing)
 {
-    const TemplateState& state = stateOf(object.templateId);
+    const TemplateState& state = stateOf(standing.templateId);
+    if (state.model < 0 || !isFinite(standing.transform)) {
+        remove(handle);
+        return {};
+    }
     const Placement placement{.model = state.model,
-                              .transform = object.transform,
-                              .id = object.id,
-                              .templateId = object.templateId,
+                              .transform = standing.transform,
+                              .id = standing.id,
+                              .templateId = standing.templateId,
                               .flags = (state.castShadow ? CULL_CASTS_SHADOW : 0u) | (state.marker ? CULL_MARKER : 0u),
                               .wind = state.wind};
     PlacedModels& models = on(state.path);
-    InstanceHandle handle = handleOf(object.id);
-    markPlace(handle);
     if (models.modelOf(handle) == state.model) {
+        markPlace(handle);
         const io::Status moved = models.move(handle, placement);
         EXPECTS(moved);
     } else { // new here, or shown by another model now
-        remove(object.id);
+        remove(handle);
         const io::Result<InstanceHandle> added = models.add(placement);
         EXPECTS(added);
         handle = *added;
-        m_handleOf[io::number(object.id)] = handle;
         m_selectionStale = true; // it may be one that was selected before it was away
     }
     m_bounds.add(boxOf(*models.find(handle)));
     m_mostSway = std::max(m_mostSway, models.find(handle)->sway);
     markPlace(handle);
+    return handle;
+}
+
+std::vector<io::LayerTile> World::allTiles(const io::Scene& scene) const
+{
+    std::vector<io::LayerTile> all;
+    for (const auto& [at, tile] : m_tiles)
+        all.push_back(at);
+    io::eachTile(scene, [&](const io::LayerTile& at) {
+        if (!m_tiles.contains(at)) all.push_back(at);
+    });
+    return all;
+}
+
+// All numbers that go before any come, as they go from one tile to another.
+void World::updateInstances(const io::Scene& scene, std::span<const io::LayerTile> tiles, bool all)
+{
+    for (const io::LayerTile& at : tiles)
+        if (const auto known = m_tiles.find(at); known != m_tiles.end()) m_tileOf.erase(known->second.first);
+    for (const io::LayerTile& at : tiles)
+        placeTile(scene, at, all);
+}
+
+void World::placeTile(const io::Scene& scene, const io::LayerTile& at, bool all)
+{
+    Tile& tile = m_tiles[at];
+    const Tile before = std::exchange(tile, {});
+    const io::InstanceTiles& tiles = scene.instances(at.layer);
+    if (const auto held = tiles.find(at.tile); held != tiles.end()) tile.shown = held->second;
+    tile.first = io::number(scene.idOf({at, 0}));
+    const auto handleBefore = [&](std::size_t i) { return i < before.handles.size() ? before.handles[i] : InstanceHandle{}; };
+    const auto same = [&](std::size_t i) {
+        return !all && tile.first == before.first && i < before.handles.size() && before.shown->instances[i] == tile.shown->instances[i];
+    };
+    const io::ScatterLayer* layer = scene.find(at.layer);
+    if (layer && layer->shown) io::eachInstance(scene, at, [&](io::ObjectId id, io::TemplateId templateId, const io::Transform& transform) {
+        const std::size_t i = tile.handles.size();
+        tile.handles.push_back(same(i) ? handleBefore(i) : place(handleBefore(i), {id, templateId, transform}));
+    });
+    for (std::size_t gone = tile.handles.size(); gone < before.handles.size(); ++gone)
+        remove(before.handles[gone]);
+    const auto drawn = [](const InstanceHandle& handle) { return handle != InstanceHandle{}; };
+    m_scattered += std::size_t(std::ranges::count_if(tile.handles, drawn));
+    m_scattered -= std::size_t(std::ranges::count_if(before.handles, drawn));
+    if (tile.handles.empty()) m_tiles.erase(at);
+    else m_tileOf[tile.first] = at;
 }
 
 void World::markPlace(InstanceHandle handle)
@@ -181,9 +248,15 @@ void World::remove(io::ObjectId id)
 {
     const auto known = m_handleOf.find(io::number(id));
     if (known == m_handleOf.end()) return;
-    markPlace(known->second);
-    (void)on(known->second.path()).remove(known->second); // gone with its model already, perhaps
+    remove(known->second);
     m_handleOf.erase(known);
+}
+
+void World::remove(InstanceHandle handle)
+{
+    if (handle == InstanceHandle{}) return;
+    markPlace(handle);
+    (void)on(handle.path()).remove(handle); // gone with its model already, perhaps
 }
 
 void World::tint(io::ObjectId id, Tint tint)

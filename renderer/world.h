@@ -1,4 +1,4 @@
-// The GPU's mirror of a scene's objects: each has an instance on the path that its template chose.
+// The GPU's mirror of a scene's objects and of its scatter layers' instances: each has a row on the path that its template chose.
 #pragma once
 
 #include "io/scene/assets.h"
@@ -7,6 +7,7 @@
 #include "io/scene/scene.h"
 #include "renderer/placed_models.h"
 
+#include <map>
 #include <optional>
 #include <span>
 #include <unordered_map>
@@ -49,7 +50,7 @@ public:
         m_batched.touching(box, ask);
         m_direct.touching(box, ask);
     }
-    std::size_t instances() const { return m_handleOf.size(); }
+    std::size_t instances() const { return m_handleOf.size() + m_scattered; }
     io::WorldBox boundsOf(std::span<const io::ObjectId> ids) const;
     io::WorldBox bounds() const { return m_bounds; } // at least everything; does not shrink until the next scene
     float mostSway() const { return m_mostSway; }    // of CullRecord::sway; likewise
@@ -83,14 +84,33 @@ private:
     void readTemplate(const io::Scene& scene, const io::Assets& assets, io::TemplateId id);
     void unloadUnused(const TemplateState& before);
     void updateObject(const io::Scene& scene, io::ObjectId id);
-    void place(const io::Object& object);
+    struct Standing { // what is drawn, whether object or instance
+        io::ObjectId id = io::ObjectId::None;
+        io::TemplateId templateId = io::TemplateId::None;
+        io::Transform transform;
+    };
+    InstanceHandle place(InstanceHandle handle, const Standing& standing); // where it was before, if it was; answers where it is
     void remove(io::ObjectId id);
+    void remove(InstanceHandle handle);
+    // `all`: also those that lie as before, since what they are copies of is another thing now.
+    void updateInstances(const io::Scene& scene, std::span<const io::LayerTile> tiles, bool all);
+    void placeTile(const io::Scene& scene, const io::LayerTile& at, bool all);
+    std::vector<io::LayerTile> allTiles(const io::Scene& scene) const; // those that were, and those that are
     void markPlace(InstanceHandle handle);
     void tint(io::ObjectId id, Tint tint);
 
     PlacedModels m_batched{io::DrawPath::Batched}, m_direct{io::DrawPath::Direct};
     std::vector<TemplateState> m_templates; // by slot
     std::unordered_map<std::uint32_t, InstanceHandle> m_handleOf; // by object id
+
+    struct Tile {
+        std::shared_ptr<const io::InstanceTile> shown;
+        std::uint32_t first = 0;             // number of its first instance
+        std::vector<InstanceHandle> handles; // of nobody where one is not drawn
+    };
+    std::map<io::LayerTile, Tile> m_tiles;
+    std::map<std::uint32_t, io::LayerTile> m_tileOf; // by the number of its first instance
+    std::size_t m_scattered = 0;                     // instances that are drawn
 
     bool m_growing = false; // all is new: no places are marked
     std::vector<io::ObjectId> m_selection;

@@ -3,6 +3,7 @@
 #include "app/gl_context.h"
 #include "app/report.h"
 #include "app/settings.h"
+#include "editor/instance_edits.h"
 #include "editor/document.h"
 #include "io/base/paths.h"
 #include "renderer/device.h"
@@ -75,6 +76,9 @@ io::Value projectFacts(const editor::Document& document)
         const io::Template* of = scene.find(object.templateId);
         if (of && !of->model.empty()) triangles += model->triangles(); // markers are not of the world
     }
+    instances += scene.instanceCount();
+    for (const io::ScatterLayer& layer : scene.scatterLayers())
+        triangles += editor::trianglesOf(document, layer);
     for (const auto& slot : scene.templates()) {
         templates += slot.value.has_value();
         if (slot.value && !slot.value->model.empty()) models.insert(slot.value->model);

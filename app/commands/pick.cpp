@@ -94,12 +94,18 @@ std::string answers(std::span<const editor::PickHit> hits, const io::Scene& scen
             text += io::writeJson(editor::describe(hit, scene)) + '\n';
             continue;
         }
-        const bool object = hit.surface == editor::Surface::Object;
-        text += object ? R"({"surface":"object","id":)" : R"({"surface":"terrain")";
-        if (object) {
+        text += R"({"surface":")";
+        text += editor::nameOf(hit.surface);
+        text += '"';
+        if (hit.id != io::ObjectId::None) {
+            text += R"(,"id":)";
             io::appendNumber(text, double(io::number(hit.id)));
             text += R"(,"template":)";
             io::appendString(text, scene.templateName(hit.templateId));
+        }
+        if (const auto instance = scene.findInstance(hit.id)) {
+            text += R"(,"layer":)";
+            io::appendString(text, scene.find(instance->at.layer)->name);
         }
         append(text, R"(,"position":[)", hit.position);
         append(text, R"(,"normal":[)", hit.normal);

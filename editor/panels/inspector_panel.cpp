@@ -2,6 +2,7 @@
 
 #include "editor/arrange.h"
 #include "editor/editor.h"
+#include "editor/instance_edits.h"
 #include "editor/field_ui.h"
 #include "editor/numbers_text.h"
 #include "editor/placement.h"
@@ -50,6 +51,7 @@ void InspectorPanel::draw(Editor& editor)
 void InspectorPanel::drawObjects(Editor& editor)
 {
     const io::Object* found = editor.document()->scene().find(editor.selection().primary());
+    if (const auto instance = editor.document()->scene().findInstance(editor.selection().primary())) return drawInstance(editor, *instance);
     if (!found) return;
     const io::Object primary = *found; // a copy: an edit below moves what it refers to
     refresh(editor, primary);
@@ -60,6 +62,14 @@ void InspectorPanel::drawObjects(Editor& editor)
     if (ui::section("transform", tr("section.transform"))) drawTransform(editor, primary);
     ImGui::Dummy({0, 2});
     if (ui::section("facts", tr("section.facts"))) drawFacts(primary);
+}
+
+void InspectorPanel::drawInstance(Editor& editor, const io::InstanceRef& instance)
+{
+    const std::size_t count = editor.selection().size();
+    ui::heading(count > 1 ? trf("inspector.many", grouped(count)).c_str() : instanceName(editor.document()->scene(), instance).c_str());
+    ImGui::TextWrapped("%s", tr("inspector.instance_text"));
+    if (ui::button("promote", tr("action.promote"), ui::Emphasis::Normal, {-1, 0})) editor.actions().run("promote");
 }
 
 void InspectorPanel::refresh(Editor& editor, const io::Object& primary)

@@ -18,6 +18,7 @@ public:
 
 private:
     void drawObjects(Editor& editor);
+    void drawInstance(Editor& editor, const io::InstanceRef& instance);
     void drawHeader(Editor& editor, const io::Object& primary);
     void drawTemplateChoice(Editor& editor, const io::Object& primary);
     void drawGroupRow(Editor& editor, const io::Object& primary);

@@ -2,6 +2,7 @@
 
 #include "editor/editor.h"
 #include "editor/field_ui.h"
+#include "editor/instance_edits.h"
 #include "editor/numbers_text.h"
 #include "editor/scatter_steps.h"
 #include "editor/text.h"
@@ -33,7 +34,7 @@ std::string freeName(const io::Scene& scene)
 {
     std::string name = tr("plants.new_name");
     for (int i = 2; scene.findScatterLayer(name); ++i)
-        name = tr("plants.new_name") + " " + std::to_string(i);
+        name = std::string{tr("plants.new_name")} + " " + std::to_string(i);
     return name;
 }
 
@@ -96,19 +97,20 @@ void ScatterPanel::draw(Editor& editor)
     Viewport& viewport = editor.viewport();
     if (!viewport.scatterTarget(*editor.document()) && !editor.document()->scene().scatterLayers().empty())
         viewport.scatterLayer = editor.document()->scene().scatterLayers().front().id;
-    layers(editor);
+    const bool open = ui::section("plants", tr("plants.layers"));
+    if (open) layers(editor);
     const io::ScatterLayer* chosen = viewport.scatterTarget(*editor.document());
     if (!chosen) return;
     const io::ScatterLayer layer = *chosen;
+    if (open) grow(editor, layer);
     brush(editor, layer);
     species(editor, layer);
     settings(editor, layer);
-    whole(editor, layer);
+    conversion(editor, layer);
 }
 
 void ScatterPanel::layers(Editor& editor)
 {
-    if (!ui::section("plants", tr("plants.layers"))) return;
     const Document& document = *editor.document();
     Viewport& viewport = editor.viewport();
     for (const io::ScatterLayer& layer : listOf(document)) {
@@ -213,21 +215,27 @@ void ScatterPanel::settings(Editor& editor, const io::ScatterLayer& layer)
     change(*editor.document(), ui.changedLabel(), layer.id, [&](io::ScatterLayer& l) { l = shown; });
 }
 
-void ScatterPanel::whole(Editor& editor, const io::ScatterLayer& layer)
+void ScatterPanel::conversion(Editor& editor, const io::ScatterLayer& layer)
 {
-    if (!ui::section("plants_whole", tr("plants.whole"))) return;
-    work(editor);
+    if (!ui::section("convert", tr("plants.convert"))) return;
+    const float half = (ImGui::GetContentRegionAvail().x - kGap) / 2;
+    if (ui::button("to_objects", tr("plants.to_objects"), ui::Emphasis::Normal, {half, 0}))
+        editor.step("undo.plants_to_objects", [&](Document& d) { plantsToObjects(d, tr("undo.plants_to_objects"), layer.id, PlantRegion::everywhere()); });
+    ImGui::SameLine(0, kGap);
+    if (ui::button("to_plants", tr("plants.to_plants"), ui::Emphasis::Normal, {half, 0}))
+        editor.step("undo.objects_to_plants", [&](Document& d) { demote(d, tr("undo.objects_to_plants"), editor.selection().ids(), layer.id); });
+    ui::softText(tr("plants.convert_tip"));
+}
+
+// All over the ground at once.
+void ScatterPanel::grow(Editor& editor, const io::ScatterLayer& layer)
+{
     const float half = (ImGui::GetContentRegionAvail().x - kGap) / 2;
     if (ui::button("grow", tr(layer.rule ? "plants.evaluate" : "plants.fill"), ui::Emphasis::Accent, {half, 0})) editor.growPlants(layer);
     ImGui::SameLine(0, kGap);
     if (ui::button("clear", tr("plants.clear"), ui::Emphasis::Normal, {half, 0}))
         editor.step("undo.clear_plants", [&](Document& d) { clearPlants(d, tr("undo.clear_plants"), layer.id); });
-    if (ui::button("to_objects", tr("plants.to_objects"), ui::Emphasis::Normal, {half, 0}))
-        editor.step("undo.plants_to_objects", [&](Document& d) { plantsToObjects(d, tr("undo.plants_to_objects"), layer.id, PlantRegion::everywhere()); });
-    ImGui::SameLine(0, kGap);
-    if (ui::button("to_plants", tr("plants.to_plants"), ui::Emphasis::Normal, {half, 0}))
-        editor.step("undo.objects_to_plants", [&](Document& d) { objectsToPlants(d, tr("undo.objects_to_plants"), layer, editor.selection().ids()); });
-    ui::softText(trf("plants.count", grouped(io::instanceCount(editor.document()->scene().instances(layer.id)))));
+    work(editor);
 }
 
 void ScatterPanel::work(Editor& editor)

@@ -16,10 +16,11 @@ public:
 
 private:
     void layers(Editor& editor);
+    void grow(Editor& editor, const io::ScatterLayer& layer);
     void brush(Editor& editor, const io::ScatterLayer& layer);
     void species(Editor& editor, const io::ScatterLayer& layer);
     void settings(Editor& editor, const io::ScatterLayer& layer);
-    void whole(Editor& editor, const io::ScatterLayer& layer);
+    void conversion(Editor& editor, const io::ScatterLayer& layer);
     void work(Editor& editor);
 };
 

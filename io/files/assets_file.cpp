@@ -5,6 +5,7 @@
 #include "io/files/grass_map_file.h"
 #include "io/files/height_map_file.h"
 #include "io/files/image_file.h"
+#include "io/files/instances_file.h"
 #include "io/files/levels.h"
 #include "io/files/model_file.h"
 #include "io/files/project.h"
@@ -164,7 +165,39 @@ void addGrassJob(const World& world, std::shared_ptr<const GrassMap>& map, std::
     jobs.push_back({grass.map, [&](Complaints& complaints, const Progress&) { map = readGrassMap(world, grass, complaints); }});
 }
 
+void addInstanceJobs(const World& world, std::map<ScatterId, World::InstancesFile>& read, std::vector<Job>& jobs)
+{
+    for (const ScatterLayer& layer : world.scene.scatterLayers())
+        jobs.push_back({instancesFile(world.entry.file, layer.id),
+                        [&world, &layer, &into = read[layer.id]](Complaints& complaints, const Progress&) { into = readInstances(world, layer, complaints); }});
+}
+
 } // namespace
+
+World::InstancesFile readInstances(const World& world, const ScatterLayer& layer, Complaints& complaints)
+{
+    const std::string where = (world.project.folder / world.entry.file).string(), key = "scatter." + layer.name;
+    for (const Species& species : layer.species)
+        if (world.scene.findTemplate(species.templateName) == TemplateId::None)
+            complaints.push_back({Severity::Error, where, key + ": \"" + species.templateName + "\" is no template of this project; add it, or its instances stay empty places"});
+
+    World::InstancesFile none{.whole = false};
+    const Result<std::filesystem::path> path = insideFolder(world.project.folder, instancesFile(world.entry.file, layer.id));
+    const Result<std::string> bytes = path ? readFile(*path) : Result<std::string>{path.error()};
+    if (!bytes) {
+        complaints.push_back(complaintOf(where, key.c_str(), {bytes.error().where, bytes.error().what + "; the layer is shown without instances"}));
+        return none;
+    }
+    Result<ReadInstances> read = decodeInstances(*bytes, layer.species.size());
+    none.bytes = fingerprint(*bytes);
+    if (!read) {
+        complaints.push_back({Severity::Error, path->string(), read.error().what + "; the layer \"" + layer.name + "\" is shown without instances"});
+        return none;
+    }
+    if (read->strangers > 0)
+        complaints.push_back({Severity::Error, path->string(), std::to_string(read->strangers) + " instances are of species that the layer \"" + layer.name + "\" does not list; left out"});
+    return {std::move(read->tiles), none.bytes, read->strangers == 0};
+}
 
 std::shared_ptr<const Model> readTemplateModel(const World& world, TemplateId id, Complaints& complaints)
 {
@@ -221,6 +254,8 @@ Result<Assets> readAssets(World& world, Complaints& complaints, const Progress& 
     addGrassJob(world, grassMap, jobs);
     addImageJobs(world, assets, jobs);
     addModelJobs(world, assets, jobs);
+    std::map<ScatterId, World::InstancesFile> instances;
+    addInstanceJobs(world, instances, jobs);
     const bool complete = runAll(jobs, progress);
     if (!complete) return Error{world.project.folder.string(), "reading was cancelled"};
     for (const Job& job : jobs)
@@ -235,6 +270,10 @@ Result<Assets> readAssets(World& world, Complaints& complaints, const Progress& 
     if (grassMap) {
         world.grassFiles[world.scene.grass().map] = grassMap;
         world.scene.exchange(std::move(grassMap));
+    }
+    for (auto& [layer, file] : instances) {
+        world.scene.exchange(layer, file.tiles);
+        world.instanceFiles[instancesFile(world.entry.file, layer)] = std::move(file);
     }
     return assets;
 }

@@ -5,6 +5,7 @@
 #include "io/files/height_export.h"
 #include "io/files/json.h"
 #include "io/files/world_export.h"
+#include "io/scene/instance_walk.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -65,18 +66,18 @@ template <class T> int addValues(GltfBuffer& buffer, const std::vector<T>& value
 }
 
 // All copies of one mesh as one node, around their middle so that floats are exact enough.
-Value nodeOf(GltfDocument& document, const std::string& name, int mesh, const std::vector<const Object*>& copies)
+Value nodeOf(GltfDocument& document, const std::string& name, int mesh, const std::vector<Transform>& copies)
 {
     glm::dvec3 middle{0};
-    for (const Object* copy : copies)
-        middle += copy->transform.position / double(copies.size());
+    for (const Transform& copy : copies)
+        middle += copy.position / double(copies.size());
     std::vector<glm::vec3> places, scales;
     std::vector<glm::vec4> turns;
-    for (const Object* copy : copies) {
-        const glm::dquat turn = glm::normalize(orientation(copy->transform.rotation));
-        places.emplace_back(copy->transform.position - middle);
+    for (const Transform& copy : copies) {
+        const glm::dquat turn = glm::normalize(orientation(copy.rotation));
+        places.emplace_back(copy.position - middle);
         turns.emplace_back(turn.x, turn.y, turn.z, turn.w);
-        scales.push_back(copy->transform.scale);
+        scales.push_back(copy.scale);
     }
     document.usesInstances = true;
     const int place = addValues(document.buffer, places, "VEC3"), turn = addValues(document.buffer, turns, "VEC4");
@@ -128,20 +129,24 @@ Result<WorldExport> exportWorld(const fs::path& file, const Scene& scene, const 
         if (ground.root >= 0) roots.push_back(ground.root);
         done.groundTriangles = ground.triangles;
     }
-    std::map<TemplateId, std::vector<const Object*>> copies;
-    for (const Object& object : scene.objects()) {
-        const Template* shown = scene.find(object.templateId);
-        if (shown && !shown->model.empty() && assets.model(object.templateId)) copies[object.templateId].push_back(&object);
-        else done.leftOut += object.templateId != TemplateId::None;
-    }
-    for (auto& [id, objects] : copies) {
-        std::ranges::sort(objects, {}, &Object::id); // the same world is the same file
+    std::map<TemplateId, std::vector<Transform>> copies;
+    const auto add = [&](TemplateId id, const Transform& transform) {
+        const Template* shown = scene.find(id);
+        if (shown && !shown->model.empty() && assets.model(id)) copies[id].push_back(transform);
+        else done.leftOut += id != TemplateId::None;
+    };
+    for (const ObjectId id : scene.sortedIds()) // the same world is the same file
+        add(scene.at(id).templateId, scene.at(id).transform);
+    eachTile(scene, [&](const LayerTile& at) {
+        eachInstance(scene, at, [&](ObjectId, TemplateId id, const Transform& transform) { add(id, transform); });
+    });
+    for (const auto& [id, transforms] : copies) {
         const Model& model = *assets.model(id);
         const Result<int> mesh = document.addMesh(model);
         if (!mesh) return Error{file.string(), scene.find(id)->model + ": " + mesh.error().what};
         roots.push_back(int(document.nodes.size()));
-        document.nodes.push_back(nodeOf(document, std::string{scene.templateName(id)}, *mesh, objects));
-        done.instances += objects.size();
+        document.nodes.push_back(nodeOf(document, std::string{scene.templateName(id)}, *mesh, transforms));
+        done.instances += transforms.size();
     }
     if (roots.empty()) return Error{file.string(), "this scene has neither ground nor models; there is nothing to write"};
     Result<std::vector<fs::path>> written = write(file, document, roots);

@@ -7,6 +7,7 @@
 #include "io/files/documents.h"
 #include "io/files/file_names.h"
 #include "io/files/height_map_file.h"
+#include "io/files/instances_file.h"
 #include "io/files/scene_file.h"
 
 #include <algorithm>
@@ -216,9 +217,42 @@ Status addPainted(FileTransaction& transaction, const World& world, const std::s
     return {};
 }
 
-// What the files hold is what the world now remembers of them.
-void remember(World& world, std::vector<std::string> templates, decltype(World::templateFiles) templateFiles)
+// Adds the instances of layers unless their files hold them, and removes the files of layers that are gone. Answers what then
+// is on the disk.
+Result<decltype(World::instanceFiles)> addInstances(FileTransaction& transaction, const World& world)
 {
+    const fs::path& folder = world.project.folder;
+    decltype(World::instanceFiles) files;
+    for (const ScatterLayer& layer : world.scene.scatterLayers()) {
+        const std::string file = instancesFile(world.entry.file, layer.id);
+        const InstanceTiles& tiles = world.scene.instances(layer.id);
+        const auto known = world.instanceFiles.find(file);
+        if (known != world.instanceFiles.end() && sameInstances(known->second.tiles, tiles)) {
+            files.insert(*known);
+            continue;
+        }
+        if (const Result<fs::path> path = insideFolder(folder, file); !path) return path.error();
+        std::error_code fault;
+        if (known == world.instanceFiles.end() && tiles.empty() && fs::exists(folder / file, fault)) continue; // never read
+        std::string bytes = encodeInstances(tiles);
+        if (known == world.instanceFiles.end() || !known->second.whole)
+            if (Result<std::string> old = readProjectFile(folder, file); old && *old != bytes) {
+                log::warning("{}: what cannot be read of it is kept as {}", shown(folder, file), shown(folder, setAside(file)));
+                transaction.add(setAside(file), *std::move(old));
+            }
+        files[file] = {tiles, fingerprint(bytes), true};
+        transaction.add(file, std::move(bytes));
+    }
+    for (const auto& [file, held] : world.instanceFiles)
+        if (!files.contains(file) && held.whole) transaction.remove(file, held.bytes);
+    return files;
+}
+
+// What the files hold is what the world now remembers of them.
+void remember(World& world, std::vector<std::string> templates, decltype(World::templateFiles) templateFiles,
+              decltype(World::instanceFiles) instanceFiles)
+{
+    world.instanceFiles = std::move(instanceFiles);
     world.project.templates = std::move(templates);
     world.templateFiles = std::move(templateFiles);
     for (const Object& object : world.scene.objects())
@@ -276,6 +310,8 @@ Result<FileTransaction::Report> saveWorld(World& world)
     Status painted = addPainted(transaction, world, scene.terrain().coverMap, scene.cover(), world.coverFiles, encodeCoverMap);
     if (painted) painted = addPainted(transaction, world, scene.grass().map, scene.grassMap(), world.grassFiles, encodeGrassMap);
     if (!painted) return painted.error();
+    Result<decltype(World::instanceFiles)> instanceFiles = addInstances(transaction, world);
+    if (!instanceFiles) return instanceFiles.error();
     transaction.add(world.entry.file, sceneText(world.scene, environmentFile, *terrain));
     addIfChanged(transaction, folder, environmentFile, world.scene.environment(),
                  environmentText(world.scene.environment()), readEnvironmentText);
@@ -294,13 +330,13 @@ Result<FileTransaction::Report> saveWorld(World& world)
     Result<FileTransaction::Report> report = transaction.commit();
     if (!report) return report;
     for (const fs::path& kept : report->kept)
-        log::warning("{}: another program changed it; the template is deleted, but the file stays",
+        log::warning("{}: another program changed it; what it held is deleted here, but the file stays",
                      (folder / kept).string());
     if (world.scene.heights()) world.heightFiles[terrain->heightMap] = {world.scene.heights(), terrain->minHeight, terrain->maxHeight};
     if (scene.cover()) world.coverFiles[terrain->coverMap] = scene.cover();
     if (scene.grassMap()) world.grassFiles[scene.grass().map] = scene.grassMap();
     world.scene.exchange(*std::move(terrain)); // whose two heights may lie farther apart now, or in another file
-    remember(world, std::move(body.templates), std::move(templateFiles));
+    remember(world, std::move(body.templates), std::move(templateFiles), *std::move(instanceFiles));
     return report;
 }
 
@@ -314,8 +350,9 @@ std::vector<std::string> otherScenesWith(const World& world, std::string_view te
         Complaints ignored;
         if (!text || !readSceneText(std::move(*text), entry.file, scene, ignored)) continue;
         const TemplateId id = scene.findTemplate(templateName);
-        if (id != TemplateId::None &&
-            std::ranges::any_of(scene.objects(), [&](const Object& object) { return object.templateId == id; }))
+        const auto grows = [&](const Species& species) { return species.templateName == templateName; };
+        if (std::ranges::any_of(scene.scatterLayers(), [&](const ScatterLayer& layer) { return std::ranges::any_of(layer.species, grows); }) ||
+            (id != TemplateId::None && std::ranges::any_of(scene.objects(), [&](const Object& object) { return object.templateId == id; })))
             names.push_back(entry.name);
     }
     return names;

@@ -44,6 +44,13 @@ struct World {
     std::map<std::string, HeightFile, std::less<>> heightFiles;
     std::map<std::string, std::shared_ptr<const CoverMap>, std::less<>> coverFiles;
     std::map<std::string, std::shared_ptr<const GrassMap>, std::less<>> grassFiles;
+    // What files of instances hold, by their names, and whether all that lies in them was read.
+    struct InstancesFile {
+        InstanceTiles tiles;
+        std::uint64_t bytes = 0; // fingerprint()
+        bool whole = true;
+    };
+    std::map<std::string, InstancesFile, std::less<>> instanceFiles;
     // Templates that were read from a file or saved to it, and what it held (fingerprint()): only that file is
     // removed when its template is deleted.
     std::map<std::string, std::uint64_t, std::less<>> templateFiles;
@@ -59,7 +66,7 @@ Result<FileTransaction::Report> saveWorld(World& world);
 // The other scenes of the project that hold objects of this template, by name.
 std::vector<std::string> otherScenesWith(const World& world, std::string_view templateName);
 
-// Models and layer images that the scene names, and its heights, which become the scene's. What cannot be read is complained
+// Models and layer images that the scene names, and its heights and instances, which become the scene's. What cannot be read is complained
 // about and replaced by a stand-in, so that the rest can be worked on. An error only when cancelled.
 Result<Assets> readAssets(World& world, Complaints& complaints, const Progress& progress = {});
 // The heights that a terrain of this project names; null, with a complaint, where they cannot be read. The caller tells the
@@ -68,6 +75,8 @@ std::shared_ptr<const HeightMap> readHeights(const World& world, const Terrain& 
 // The cover of that name over heights of that size; likewise.
 std::shared_ptr<const CoverMap> readCover(const World& world, const Terrain& terrain, glm::ivec2 size, Complaints& complaints);
 std::shared_ptr<const GrassMap> readGrassMap(const World& world, const Grass& grass, Complaints& complaints); // likewise
+// The instances of a layer of the scene; none, with a complaint, where they cannot be read.
+World::InstancesFile readInstances(const World& world, const ScatterLayer& layer, Complaints& complaints);
 std::shared_ptr<const Model> readTemplateModel(const World& world, TemplateId id, Complaints& complaints);
 
 // `wold new`: from a starter that ships ("empty", "valley"). The folder must be missing or empty.

@@ -26,7 +26,7 @@ std::unique_ptr<editor::Document> hillyWorld(io::ScatterLayer layer)
 int main()
 {
     io::Value figures;
-    const io::ScatterLayer layer{.id = io::ScatterId{1}, .name = "wood", .rule = true, .species = {{.templateName = "blob"}, {.templateName = "leaf"}}, .density = 0.27f, .spacing = 1, .slope = {0, 90}};
+    const io::ScatterLayer layer{.id = io::ScatterId{1}, .name = "wood", .rule = true, .species = {{.templateName = "blob"}, {.templateName = "leaf"}}, .density = 0.061f, .spacing = 2, .slope = {0, 90}};
     const auto document = hillyWorld(layer);
 
     io::ScatterLayer brush = layer;

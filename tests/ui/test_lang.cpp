@@ -114,6 +114,16 @@ Keys computedKeys()
         KeysOfFields visitor{"brush.", "", keys};
         fields(visitor, brush);
     }
+    for (std::size_t mode = 0; mode < enumNames(editor::ScatterMode{}).size(); ++mode) {
+        keys.insert("scatter_mode." + std::string{enumNames(editor::ScatterMode{})[mode]});
+        keys.insert("scatter_step." + std::string{enumNames(editor::ScatterMode{})[mode]});
+        editor::ScatterBrush brush{.mode = editor::ScatterMode(mode)};
+        KeysOfFields visitor{"scatter_brush.", "", keys};
+        fields(visitor, brush);
+    }
+    addFields<io::Species>(keys, "species.");
+    addFields<io::ScatterLayer>(keys, "scatter.");
+    keys.erase("field.scatter.id"); // never shown
     addFields<editor::GroundRecipe>(keys, "recipe.");
     for (const editor::Reshape kind : {editor::Reshape::Resample, editor::Reshape::Crop, editor::Reshape::Offset}) {
         editor::Reshaping reshaping{.kind = kind};

@@ -3,6 +3,7 @@
 
 #include "editor/placement.h"
 #include "editor/scatter.h"
+#include "editor/scatter_brush.h"
 #include "editor/scatter_edits.h"
 
 #include <algorithm>
@@ -257,6 +258,26 @@ TEST(Planting, RuleLayersFollowTheGroundAndKeepWhatWasDoneByHand)
     EXPECT_FALSE(evaluated(field.tiles(), field.planting(), all, [](float, std::string_view) { return false; }));
 }
 
+TEST(Planting, RulesKeepAwayFromWhatWasPlantedByHand)
+{
+    Field field;
+    field.layer.rule = true;
+    const PlantRegion disc = PlantRegion::disc(field.middle(), 60);
+    field.layer.seed = 99;
+    field.run(planted(field.tiles(), field.planting(), disc));
+    field.layer.seed = 1;
+    field.run(*evaluated(field.tiles(), field.planting(), PlantRegion::everywhere().bounds()));
+    const double wanted = 0.1 * std::numbers::pi * 3600;
+    EXPECT_NEAR(double(field.count(disc)), wanted, wanted * 0.05); // those by hand count
+    std::vector<PatternPoint> all;
+    for (const auto& [place, tile] : field.scene().instances(field.layer.id))
+        for (const io::Instance& instance : tile->instances) {
+            const glm::dvec3 at = transformOf(place, instance).position;
+            if (disc.contains({at.x, at.z})) all.push_back({.at = {at.x, at.z}});
+        }
+    EXPECT_GE(nearest(all, kAny), double(field.layer.spacing));
+}
+
 TEST(Planting, GrowsOnWhatLiesOnTopWhereAsked)
 {
     Field field;
@@ -270,6 +291,26 @@ TEST(Planting, GrowsOnWhatLiesOnTopWhereAsked)
         EXPECT_GE(plant.transform.position.x, 10);
         EXPECT_GT(plant.transform.position.y, 6.9); // of the model's foot
     }
+}
+
+TEST(Planting, LayersThatAreNotShownAreNotPicked)
+{
+    Field field;
+    setScatterLayers(*field.document, "Layer", {field.layer});
+    const ScatterBrush brush{.mode = ScatterMode::Single};
+    Picker picker;
+    test::followed(picker, *field.document);
+    ScatterStroke stroke{*field.document, picker, brush, field.layer.id, "One"};
+    stroke.to({field.middle().x, 0, field.middle().y});
+    stroke.end();
+    ASSERT_EQ(field.count(), 1u);
+    const io::Ray down{.origin = {field.middle().x, 50, field.middle().y}, .direction = {0, -1, 0}};
+    EXPECT_EQ(test::followed(picker, *field.document).pick(down).surface, Surface::Instance);
+    field.layer.shown = false;
+    setScatterLayers(*field.document, "Hide", {field.layer});
+    EXPECT_EQ(test::followed(picker, *field.document).pick(down).surface, Surface::Terrain);
+    field.document->undo();
+    EXPECT_EQ(test::followed(picker, *field.document).pick(down).surface, Surface::Instance);
 }
 
 TEST(Scatter, CopiesKeepTheirDistanceAndRepeatBySeed)

@@ -63,7 +63,8 @@ TEST_F(ScatterScript, PlantsErasesThinsAndConverts)
     EXPECT_EQ(number(R"({"do":"plants","layer":"wood","everywhere":true})", "count"), 0);
     EXPECT_EQ(document->scene().objects().size(), 10 + std::size_t(blobs));
     ok(R"({"do":"select","template":"leaf"})");
-    EXPECT_GE(number(R"({"do":"objects_to_plants","layer":"wood"})", "count"), blobs);
+    ok(R"({"do":"demote","layer":"wood"})");
+    EXPECT_GE(number(R"({"do":"plants","layer":"wood","everywhere":true})", "count"), blobs);
     EXPECT_LE(document->scene().objects().size(), 10u);
     EXPECT_TRUE(refused(R"({"do":"plant","layer":"wood","at":[0,0],"everywhere":true})"));
     EXPECT_TRUE(refused(R"({"do":"plant","layer":"none","everywhere":true})"));
