@@ -43,9 +43,16 @@ struct ProjectBody {
     std::vector<std::string> templates;
     std::vector<Camera> cameras;
     std::vector<CameraPath> paths;
+    std::vector<Control> controls;
     Extra extra;
     bool operator==(const ProjectBody&) const = default;
 };
+
+void fields(auto& v, Of<Control> auto& c)
+{
+    v("action", c.action, Hint{});
+    v("by", c.by, Hint{});
+}
 
 void fields(auto& v, Of<ProjectBody> auto& p)
 {
@@ -55,6 +62,7 @@ void fields(auto& v, Of<ProjectBody> auto& p)
     v("templates", p.templates, Hint{});
     v("cameras", p.cameras, Hint{});
     v("paths", p.paths, Hint{});
+    v("controls", p.controls, Hint{.optional = true});
 }
 
 constexpr Hint kIdHint{.min = 1, .max = kHighestId};

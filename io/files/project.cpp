@@ -146,6 +146,7 @@ ProjectBody bodyOf(const World& world)
             templateNames(world),
             {scene.cameras().begin(), scene.cameras().end()},
             {scene.paths().begin(), scene.paths().end()},
+            world.project.controls,
             world.project.extra};
 }
 
@@ -278,6 +279,7 @@ Result<World> openWorld(const fs::path& project, std::string_view scene, Complai
     world.project.start = std::move(body->start);
     world.project.scenes = std::move(body->scenes);
     world.project.templates = std::move(body->templates);
+    world.project.controls = std::move(body->controls);
     world.project.extra = std::move(body->extra);
     world.scene.exchange(std::move(body->cameras));
     world.scene.exchange(std::move(body->paths));

@@ -21,12 +21,20 @@ struct SceneEntry {
     bool operator==(const SceneEntry&) const = default;
 };
 
+// What makes the player of a project do something: "jump" by the key "Space", "mouse 1", "pad A" or "pad left +x".
+struct Control {
+    std::string action;
+    std::string by;
+    bool operator==(const Control&) const = default;
+};
+
 struct Project {
     std::filesystem::path folder;
     std::string name;
     std::vector<SceneEntry> scenes;
     std::string start;                  // name of a scene
     std::vector<std::string> templates; // templates/NAME.json
+    std::vector<Control> controls;      // of the player; an action without any has its own (app/play)
     Extra extra;
 };
 

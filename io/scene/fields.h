@@ -41,8 +41,14 @@ constexpr auto enumNames(Splits) { return std::array<std::string_view, 2>{"pract
 constexpr auto enumNames(ShadowFilter) { return std::array<std::string_view, 3>{"pcf3", "pcf5", "pcf7"}; }
 constexpr auto enumNames(LightKind) { return std::array<std::string_view, 3>{"none", "point", "spot"}; }
 constexpr auto enumNames(ParticleKind) { return std::array<std::string_view, 4>{"none", "fire", "smoke", "dust"}; }
-constexpr auto enumNames(Collision) { return std::array<std::string_view, 4>{"none", "box", "mesh", "capsule"}; }
+constexpr auto enumNames(Collision) { return std::array<std::string_view, 5>{"none", "box", "mesh", "capsule", "hull"}; }
 constexpr auto enumNames(Footprint) { return std::array<std::string_view, 4>{"none", "radius", "box", "mesh"}; }
+constexpr auto enumNames(SoundGroup) { return std::array<std::string_view, 4>{"effects", "ambience", "music", "steps"}; }
+constexpr auto enumNames(SoundWeather) { return std::array<std::string_view, 4>{"any", "dry", "wet", "storm"}; }
+constexpr auto enumNames(TriggerShape) { return std::array<std::string_view, 3>{"none", "box", "sphere"}; }
+constexpr auto enumNames(TriggerDo) { return std::array<std::string_view, 6>{"play_sound", "come_to_look", "show", "hide", "teleport", "message"}; }
+constexpr auto enumNames(PlayerShape) { return std::array<std::string_view, 2>{"capsule", "swept_box"}; }
+constexpr auto enumNames(PlayerEye) { return std::array<std::string_view, 2>{"first", "third"}; }
 constexpr auto enumNames(DrawPath) { return std::array<std::string_view, 2>{"batched", "direct"}; }
 
 void fields(auto& v, Of<Sun> auto& s)
@@ -214,6 +220,7 @@ void fields(auto& v, Of<TerrainLayer> auto& l)
     v("altitude", l.altitude, Hint{.min = -100000, .max = 100000, .unit = "m"});
     v("flow", l.flow, Hint{.min = 0, .max = 1});
     v("blend", l.blend, Hint{.min = 0.001, .max = 1});
+    v("steps", l.steps, Hint{.style = Style::Path, .optional = true});
 }
 
 void fields(auto& v, Of<Terrain> auto& t)
@@ -303,6 +310,71 @@ void fields(auto& v, Of<ParticleSource> auto& p)
     v("offset", p.offset, Hint{.min = -1000, .max = 1000, .unit = "m"});
 }
 
+void fields(auto& v, Of<Body> auto& b)
+{
+    v("dynamic", b.dynamic, Hint{});
+    v("mass", b.mass, Hint{.min = 0.01, .max = 1e6, .unit = "kg", .style = Style::Logarithmic});
+    v("friction", b.friction, Hint{.min = 0, .max = 10});
+    v("bounce", b.bounce, Hint{.min = 0, .max = 1});
+}
+
+void fields(auto& v, Of<FalloffKey> auto& k)
+{
+    v("at", k.at, Hint{.min = 0, .max = 1});
+    v("level", k.level, Hint{.min = 0, .max = 1});
+}
+
+void fields(auto& v, Of<SoundSource> auto& s)
+{
+    v("file", s.file, Hint{.style = Style::Path});
+    v("group", s.group, Hint{});
+    v("volume", s.volume, Hint{.min = 0, .max = 8});
+    v("radius", s.radius, Hint{.min = 0.1, .max = 1e6, .unit = "m", .style = Style::Logarithmic});
+    v("falloff", s.falloff, Hint{.optional = true});
+    v("loop", s.loop, Hint{});
+    v("flat", s.flat, Hint{});
+    v("occluded", s.occluded, Hint{});
+    v("hours", s.hours, Hint{.min = 0, .max = 24, .unit = "h"});
+    v("weather", s.weather, Hint{});
+    v("offset", s.offset, Hint{.min = -1000, .max = 1000, .unit = "m"});
+}
+
+void fields(auto& v, Of<TriggerAction> auto& a)
+{
+    v("action", a.action, Hint{});
+    v("what", a.what, Hint{});
+    v("seconds", a.seconds, Hint{.min = 0, .max = 3600, .unit = "s"});
+}
+
+void fields(auto& v, Of<Trigger> auto& t)
+{
+    v("shape", t.shape, Hint{});
+    v("size", t.size, Hint{.min = 0.01, .max = 1e6, .unit = "m"});
+    v("once", t.once, Hint{});
+    v("actions", t.actions, Hint{.optional = true});
+}
+
+void fields(auto& v, Of<PlayerStart> auto& p)
+{
+    v("start", p.start, Hint{});
+    v("shape", p.shape, Hint{});
+    v("eye", p.eye, Hint{});
+    v("height", p.height, Hint{.min = 0.2, .max = 20, .unit = "m"});
+    v("radius", p.radius, Hint{.min = 0.05, .max = 5, .unit = "m"});
+    v("eye_height", p.eyeHeight, Hint{.min = 0.1, .max = 20, .unit = "m"});
+    v("crouched", p.crouched, Hint{.min = 0.1, .max = 20, .unit = "m"});
+    v("behind", p.behind, Hint{.min = 0.2, .max = 50, .unit = "m"});
+    v("walk", p.walk, Hint{.min = 0.1, .max = 100, .unit = "m/s"});
+    v("run", p.run, Hint{.min = 0.1, .max = 100, .unit = "m/s"});
+    v("creep", p.creep, Hint{.min = 0.1, .max = 100, .unit = "m/s"});
+    v("swim", p.swim, Hint{.min = 0.1, .max = 100, .unit = "m/s"});
+    v("fly", p.fly, Hint{.min = 0.1, .max = 1000, .unit = "m/s", .style = Style::Logarithmic});
+    v("jump", p.jump, Hint{.min = 0, .max = 100, .unit = "m"});
+    v("step", p.step, Hint{.min = 0, .max = 5, .unit = "m"});
+    v("slope", p.slope, Hint{.min = 0, .max = 89, .unit = "deg"});
+    v("mass", p.mass, Hint{.min = 1, .max = 10000, .unit = "kg"});
+}
+
 // A template's name is its file's, so it is not among the fields of the file.
 void fields(auto& v, Of<Template> auto& t)
 {
@@ -315,6 +387,8 @@ void fields(auto& v, Of<Template> auto& t)
     v("align_to_ground", t.alignToGround, Hint{});
     v("sink", t.sink, Hint{.min = -100, .max = 100, .unit = "m"});
     v("collision", t.collision, Hint{});
+    v("body", t.body, Hint{.optional = true});
+    v("steps", t.steps, Hint{.style = Style::Path, .optional = true});
     v("footprint_shape", t.footprintShape, Hint{});
     v("footprint", t.footprint, Hint{.min = 0, .max = 1000, .unit = "m"});
     v("cast_shadow", t.castShadow, Hint{});
@@ -323,6 +397,9 @@ void fields(auto& v, Of<Template> auto& t)
     v("wind", t.wind, Hint{.min = 0, .max = 1});
     v("light", t.light, Hint{});
     v("particles", t.particles, Hint{});
+    v("sound", t.sound, Hint{.optional = true});
+    v("trigger", t.trigger, Hint{.optional = true});
+    v("player", t.player, Hint{.optional = true});
 }
 
 void fields(auto& v, Of<Transform> auto& t)

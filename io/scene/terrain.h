@@ -22,6 +22,7 @@ struct TerrainLayer {
     glm::vec2 altitude{-1e5f, 1e5f}; // m
     glm::vec2 flow{0, 1};          // as io::GroundFlow: 0 ridges .. 1 rivers
     float blend = 0.3f;            // width of the transition, share of 15 degrees, 40 m or a fifth of the flow
+    std::string steps;             // sounds/…, of feet on it; may be empty
     Extra extra;
     bool operator==(const TerrainLayer&) const = default;
 };
