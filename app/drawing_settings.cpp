@@ -40,8 +40,6 @@ constexpr std::array<Need, 3> kNeeds{{{Quality::Ultra, 1e9, 3e12, 2e10},
 
 io::Status setDrawing(renderer::Settings& settings, std::string_view key, const io::Value& value)
 {
-    const std::string* word = value.asString();
-    if (key == "grass_method" && word && *word == "seeds") return io::Error{"render.grass_method=seeds", "comes with a later release; now it is blades"};
     const io::Status set = io::setField(settings, key, value);
     if (!set) return io::Error{"render." + set.error().where, set.error().what};
     return {};

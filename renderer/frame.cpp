@@ -79,7 +79,7 @@ Picture Renderer::State::render(const FrameInput& in)
     if (exposesItself(in.settings, viewpoint)) exposure.bind(gpu, viewpoint.view);
     else exposure.forget();
     const GeometryPass::Drawn drawn = drawSurfaces(gpu, in, viewpoint);
-    grass.render(gpu, geometry.framebuffer(), scenery, viewpoint, environment, in.pressers, in.settings);
+    grass.render(gpu, geometry, drawn, scenery, viewpoint, environment, in.pressers, in.settings);
     const GBuffer& surfaces = geometry.finish();
 
     const bool lit = needsLight(in.show);
@@ -228,8 +228,8 @@ GeometryPass::Drawn Renderer::State::drawSurfaces(GpuFrame& gpu, const FrameInpu
     }
     if (occlusion == Occlusion::SeenBefore) {
         const auto scope = gpu.scope("what came into sight");
-        const gl::Texture& farthest = pyramid.make(gpu, geometry.targets().depth);
-        drawn.objects.push_back(chooser.chooseRest(gpu, scenery, request, farthest));
+        drawn.farthest = &pyramid.make(gpu, geometry.targets().depth);
+        drawn.objects.push_back(chooser.chooseRest(gpu, scenery, request, *drawn.farthest));
         geometry.drawObjects(gpu, drawn.objects.back());
     }
     count(drawn);

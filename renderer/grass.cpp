@@ -47,6 +47,11 @@ void Grass::update(const io::Scene& scene, const io::Changes& changes)
         for (const io::GrassKind& kind : m_kinds)
             m_tallest = std::max({m_tallest, kind.height.x, kind.height.y});
     }
+    if (changes.grass || changes.everything || !changes.templates.empty()) {
+        m_plants.clear();
+        for (const io::GrassKind& kind : m_kinds)
+            m_plants.push_back(kind.plant.empty() ? io::TemplateId::None : scene.findTemplate(kind.plant));
+    }
     const auto before = std::exchange(m_map, scene.grassMap());
     if (m_map == before) return;
     if (!m_map) {

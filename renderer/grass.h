@@ -23,10 +23,12 @@ public:
     // Of the map, the kinds and the eye; the pass adds what it alone knows.
     glsl::GrassFrame frame(const Eye& eye, const Settings& settings) const;
     const gl::Texture& map() const { return m_texels; }
+    std::span<const io::TemplateId> plants() const { return m_plants; } // whose models kinds show, by kind; None: blades
 
 private:
     std::shared_ptr<const io::GrassMap> m_map;
     std::vector<io::GrassKind> m_kinds;
+    std::vector<io::TemplateId> m_plants;
     gl::Texture m_texels;
     float m_tallest = 0; // m
 };

@@ -14,6 +14,7 @@ GLenum stageOf(std::string_view file)
     if (file.find(".vert.") != std::string_view::npos) return GL_VERTEX_SHADER;
     if (file.find(".tesc.") != std::string_view::npos) return GL_TESS_CONTROL_SHADER;
     if (file.find(".tese.") != std::string_view::npos) return GL_TESS_EVALUATION_SHADER;
+    if (file.find(".geom.") != std::string_view::npos) return GL_GEOMETRY_SHADER;
     if (file.find(".comp.") != std::string_view::npos) return GL_COMPUTE_SHADER;
     return GL_FRAGMENT_SHADER;
 }

@@ -39,11 +39,16 @@ void addKind(Editor& editor)
 void kindFields(Editor& editor, std::size_t index)
 {
     io::Grass shown = editor.document()->scene().grass();
-    FieldUi ui{{.prefix = "grass_kind.", .defaults = scalarsOf(io::GrassKind{})}};
-    const auto blades = [&](const char* key, auto& value, const io::Hint& hint) {
-        if (std::string_view{key} != "plant") ui(key, value, hint); // only blades are drawn so far
+    const auto templates = [&](std::string_view key) {
+        std::vector<std::string> names;
+        if (key != "grass_kind.plant") return names;
+        for (const io::Scene::TemplateSlot& slot : editor.document()->scene().templates())
+            if (slot.value && !slot.value->model.empty()) names.push_back(slot.name);
+        std::ranges::sort(names);
+        return names;
     };
-    fields(blades, shown.kinds[index]);
+    FieldUi ui{{.prefix = "grass_kind.", .defaults = scalarsOf(io::GrassKind{}), .files = templates}};
+    fields(ui, shown.kinds[index]);
     if (ui.changes().empty()) return;
     editor.beginEdit(ui.changedKey() + std::to_string(index), trf("undo.edit", ui.changedLabel()));
     setGrass(*editor.document(), ui.changedLabel(), std::move(shown));

@@ -5,7 +5,6 @@
 #include "editor/text.h"
 #include "editor/widgets.h"
 
-#include <string_view>
 
 namespace editor {
 
@@ -13,10 +12,7 @@ void RenderingPanel::draw(Editor& editor)
 {
     if (ui::section("passes", tr("section.rendering"))) {
         FieldUi ui{{.prefix = "render.", .defaults = scalarsOf(renderer::Settings{})}};
-        const auto shown = [&](const char* key, auto& value, const io::Hint& hint) {
-            if (std::string_view{key} != "grass_method") ui(key, value, hint); // there is one so far
-        };
-        fields(shown, editor.renderSettings);
+        fields(ui, editor.renderSettings);
     }
     if (ui::section("show", tr("section.show"))) {
         const auto names = enumNames(editor.show);

@@ -22,6 +22,7 @@ public:
     struct Drawn { // the camera's lists, for passes that draw the same things again
         std::vector<DrawList> objects;
         Terrain::Draws ground;
+        const gl::Texture* farthest = nullptr; // DepthPyramid of what hides things; null: none was made
     };
     void begin(const Viewpoint& viewpoint, bool ids); // empty targets; without `ids` those stay empty
     void drawObjects(GpuFrame& gpu, const DrawList& objects);

@@ -14,6 +14,8 @@ constexpr float kManyVertices = 60;     // pixels of height from which a blade h
 constexpr std::uint32_t kShapes[GRASS_SHAPES] = {7, 3, 1}; // segments of each
 constexpr std::size_t kCommandBytes = 16;
 constexpr float kAnywhere = 1e9f; // m
+constexpr std::uint32_t kPlantRoom = 1 << 16; // plants of a kind that grows as a model
+constexpr std::uint32_t kMostPlantTriangles = 200; // of such a model, if it has a level with so few
 
 void storage(GLuint binding, GLuint buffer)
 {
@@ -22,26 +24,31 @@ void storage(GLuint binding, GLuint buffer)
 
 } // namespace
 
-GrassPass::GrassPass(ShaderLibrary& shaders)
-    : m_shaders{shaders}, m_commandsProgram{shaders.program({.label = "grass commands", .stages = {"grass_commands.comp.glsl"}})}, m_readback{"grass counts, read"}
+GrassPass::GrassPass(ShaderLibrary& shaders) : m_shaders{shaders}, m_readback{"grass counts, read"}
 {
 }
 
-void GrassPass::makeRoom(std::uint32_t most)
+void GrassPass::makeRoom(std::uint32_t most, std::size_t plants)
 {
     if (!m_strips.id()) {
         m_strips = gl::VertexArray{"grass"};
-        m_strips.attribute(0, 0, 3, GL_FLOAT, 0);
-        m_strips.integers(1, 0, 1, GL_UNSIGNED_INT, offsetof(glsl::GrassBlade, size));
-        m_strips.integers(2, 0, 4, GL_UNSIGNED_INT, offsetof(glsl::GrassBlade, bend));
+        m_points = gl::VertexArray{"grass seeds"};
+        for (gl::VertexArray* array : {&m_strips, &m_points}) {
+            array->attribute(0, 0, 3, GL_FLOAT, 0);
+            array->integers(1, 0, 1, GL_UNSIGNED_INT, offsetof(glsl::GrassBlade, size));
+            array->integers(2, 0, 4, GL_UNSIGNED_INT, offsetof(glsl::GrassBlade, bend));
+        }
         m_strips.perInstance(0);
         m_counts = gl::Buffer{"grass counts", sizeof(glsl::GrassCounts)};
         m_commands = gl::Buffer{"grass commands", GRASS_SHAPES * kCommandBytes};
     }
+    const std::size_t plantBytes = plants * kPlantRoom * sizeof(glsl::Instance);
+    if (m_plants.bytes() < plantBytes) m_plants = gl::Buffer{"grass plants", plantBytes};
     if (most == m_room && m_blades.id()) return;
     m_room = most;
     m_blades = gl::Buffer{"grass blades", std::max<std::size_t>(m_room, 1) * GRASS_SHAPES * sizeof(glsl::GrassBlade)};
     m_strips.source(0, m_blades.id(), 0, sizeof(glsl::GrassBlade));
+    m_points.source(0, m_blades.id(), 0, sizeof(glsl::GrassBlade));
 }
 
 // The ground's colours from above, drawn by the ground's own shader when it looks other than it did.
@@ -76,20 +83,31 @@ void GrassPass::updateTint(GpuFrame& gpu, Scenery& scenery)
     terrain.forgetRepainted();
 }
 
-bool GrassPass::place(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const io::Environment& environment, std::span<const Presser> pressers,
-                      const Settings& settings)
+std::vector<GrassPass::Plant> GrassPass::plantsOf(const Scenery& scenery)
+{
+    std::vector<Plant> plants;
+    const std::span<const io::TemplateId> ids = scenery.grass.plants();
+    for (std::size_t kind = 0; kind < ids.size(); ++kind)
+        if (const ModelRef model = scenery.world.modelOf(ids[kind]); model && model.entry().bounds.max.y > 0) plants.push_back({int(kind), model});
+    return plants;
+}
+
+glsl::GrassFrame GrassPass::frame(const Scenery& scenery, const Viewpoint& viewpoint, const io::Environment& environment,
+                                  std::span<const Presser> pressers, std::span<const Plant> plants, const Settings& settings) const
 {
     const Eye& eye = viewpoint.eye;
-    const std::optional<Volume> volume = settings.culling ? std::optional{volumeOf(viewpoint.culledFor)} : std::nullopt;
-    const std::vector<glsl::GrassTile> tiles = scenery.grass.tiles(scenery.terrain, eye, volume, settings);
     glsl::GrassFrame frame = scenery.grass.frame(eye, settings);
-    makeRoom(frame.most);
     frame.room = m_room;
+    frame.plantRoom = kPlantRoom;
+    frame.looksAhead = settings.culling && !viewpoint.frozen;
     frame.shapeAngle = float(kManyVertices * pixelAngle(eye));
     frame.water = environment.water.level;
-    if (!environment.water.on) // then any height will do
-        for (glsl::GrassKind& kind : frame.kind)
-            kind.aboveWater = {-kAnywhere, kAnywhere};
+    for (glsl::GrassKind& kind : frame.kind)
+        if (!environment.water.on) kind.aboveWater = {-kAnywhere, kAnywhere}; // then any height will do
+    for (std::size_t i = 0; i < plants.size(); ++i) {
+        frame.kind[plants[i].kind].plant = std::uint32_t(i) + 1;
+        frame.kind[plants[i].kind].perHeight = 1 / plants[i].model.entry().bounds.max.y;
+    }
     frame.wind = viewpoint.wind;
     if (m_tint) frame.tintScale = 1.0f / glm::vec2{scenery.terrain.heights()->size};
     frame.pressers = int(std::min({pressers.size(), kMostPressers, std::size_t(GRASS_PRESSERS)}));
@@ -98,45 +116,107 @@ bool GrassPass::place(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoin
         frame.presser[i] = glm::vec4{glm::vec3{presser.position - eye.position}, presser.radius};
         frame.pressed[i / 4][i % 4] = presser.strength;
     }
-    gpu.constants(GRASS_BINDING, frame);
-    constexpr GLuint kNone = 0;
-    glClearNamedBufferData(m_counts.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &kNone);
-    if (tiles.empty()) return false;
+    return frame;
+}
 
+std::vector<std::string> GrassPass::groundDefines(const Scenery& scenery) const
+{
     std::vector<std::string> defines;
     if (scenery.terrain.windowed()) defines.emplace_back("WINDOWS");
-    if (scenery.terrain.holed()) defines.emplace_back("HOLES");
     if (m_tint && !scenery.terrain.windowed()) defines.emplace_back("TINT");
-    const gl::Program& program = m_shaders.program({.label = "grass places", .stages = {"grass_place.comp.glsl"}, .defines = std::move(defines)});
-    if (!gpu.use(program, {{GRASS_MAP_UNIT, &scenery.grass.map()}, {GRASS_MASK_UNIT, &scenery.footprints.texture()}})) return false;
-    if (m_tint) gpu.bind({{GROUND_TINT_UNIT, &m_tint}});
+    return defines;
+}
+
+// Plants of the grid around the eye.
+bool GrassPass::place(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const gl::Texture* farthest, bool plants, const Settings& settings)
+{
+    const std::optional<Volume> volume = settings.culling ? std::optional{volumeOf(viewpoint.culledFor)} : std::nullopt;
+    const std::vector<glsl::GrassTile> tiles = scenery.grass.tiles(scenery.terrain, viewpoint.eye, volume, settings);
+    if (tiles.empty()) return false;
+    std::vector<std::string> defines = groundDefines(scenery);
+    if (scenery.terrain.holed()) defines.emplace_back("HOLES");
+    if (farthest) defines.emplace_back("HIDDEN");
+    if (plants) defines.emplace_back("PLANTS");
+    if (!gpu.use(m_shaders.program({.label = "grass places", .stages = {"grass_place.comp.glsl"}, .defines = std::move(defines)}))) return false;
+    if (farthest) gpu.bind({{IMAGE_UNIT, farthest}});
     const GpuStream::Piece piece = gpu.stream().put(std::span<const glsl::GrassTile>{tiles});
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, GRASS_TILES_BINDING, piece.buffer, GLintptr(piece.offset), GLsizeiptr(tiles.size() * sizeof(tiles[0])));
-    storage(GRASS_BLADES_BINDING, m_blades.id());
-    storage(GRASS_COUNTS_BINDING, m_counts.id());
+    if (plants) storage(GRASS_PLANTS_BINDING, m_plants.id());
     glDispatchCompute(GRASS_TILE / 8, GRASS_TILE / 8, GLuint(tiles.size()));
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-    if (!gpu.use(m_commandsProgram)) return false;
-    storage(GRASS_COMMANDS_BINDING, m_commands.id());
-    glDispatchCompute(1, 1, 1);
-    glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
     return true;
 }
 
-void GrassPass::render(GpuFrame& gpu, const gl::Framebuffer& target, Scenery& scenery, const Viewpoint& viewpoint, const io::Environment& environment,
-                       std::span<const Presser> pressers, const Settings& settings)
+// The ground once more, where it is to be seen.
+bool GrassPass::seed(GpuFrame& gpu, GeometryPass& geometry, Scenery& scenery, const Terrain::Draws& ground)
 {
-    gpu.stats().grassDrawn = gpu.stats().grassLeftOut = 0;
-    if (!settings.grass || !scenery.grass.present() || !scenery.terrain.present()) return scenery.footprints.forget();
-    const auto scope = gpu.scope("grass");
-    scenery.terrain.bind(gpu);
-    updateTint(gpu, scenery);
-    if (!place(gpu, scenery, viewpoint, environment, pressers, settings)) return;
+    geometry.framebuffer().bind();
+    std::vector<std::string> defines = scenery.terrain.coverDefines();
+    std::erase(defines, "HOLES"); // there is no ground to be seen in them
+    if (m_tint && !scenery.terrain.windowed()) defines.emplace_back("TINT");
+    for (const Terrain::Draw& part : ground) {
+        if (!gpu.use(m_shaders.program(scenery.terrain.program("grass seeds", part.stages, "grass_seeds.frag.glsl", defines)))) return false;
+        gl::apply({.depthTest = GL_EQUAL, .cull = GL_BACK});
+        scenery.terrain.draw(gpu, part);
+    }
+    return true;
+}
 
+// The draws, of as many as were found and have room. Answers those of models.
+std::vector<DrawList> GrassPass::command(GpuFrame& gpu, std::span<const Plant> plants, bool seeds)
+{
+    std::vector<glsl::GrassPart> parts;
+    std::vector<DrawList> lists;
+    for (std::size_t i = 0; i < plants.size(); ++i) {
+        const ModelEntry& entry = plants[i].model.entry();
+        const auto triangles = [](const ModelLevel& level) {
+            std::uint32_t indices = 0;
+            for (const ModelPart& part : level.parts)
+                indices += part.indexCount;
+            return indices / 3;
+        };
+        std::size_t level = 0;
+        const std::size_t meshes = entry.levels.size() - (entry.impostor ? 1 : 0);
+        while (level + 1 < meshes && triangles(entry.levels[level]) > kMostPlantTriangles) ++level;
+        DrawList list{.models = plants[i].model.library, .instances = {.buffer = m_plants.id()}};
+        for (const ModelPart& part : entry.levels[level].parts) {
+            if (list.models->batches()[std::size_t(part.batch)].blend) continue;
+            list.opaque.push_back({.batch = part.batch, .swaying = true, .commandOffset = parts.size() * sizeof(DrawCommand), .commands = 1});
+            parts.push_back({.firstIndex = part.firstIndex, .indexCount = part.indexCount, .plants = std::uint32_t(i)});
+        }
+        if (!list.opaque.empty()) lists.push_back(std::move(list));
+    }
+    std::vector<std::string> defines;
+    if (seeds) defines.emplace_back("SEEDS");
+    if (!parts.empty()) defines.emplace_back("PLANTS");
+    const gl::Program& program = m_shaders.program({.label = "grass commands", .stages = {"grass_commands.comp.glsl"}, .defines = std::move(defines)});
+    if (!gpu.use(program)) return {};
+    storage(GRASS_COMMANDS_BINDING, m_commands.id());
+    if (!parts.empty()) {
+        if (m_plantCommands.bytes() < parts.size() * sizeof(DrawCommand)) m_plantCommands = gl::Buffer{"grass plants' commands", parts.size() * sizeof(DrawCommand)};
+        for (DrawList& list : lists)
+            list.commands = {.buffer = m_plantCommands.id()};
+        const GpuStream::Piece piece = gpu.stream().put(std::span<const glsl::GrassPart>{parts});
+        glBindBufferRange(GL_SHADER_STORAGE_BUFFER, GRASS_PARTS_BINDING, piece.buffer, GLintptr(piece.offset), GLsizeiptr(parts.size() * sizeof(parts[0])));
+        storage(GRASS_PLANT_COMMANDS_BINDING, m_plantCommands.id());
+        glProgramUniform1ui(program.id(), 0, GLuint(parts.size()));
+    }
+    glDispatchCompute(1, 1, 1);
+    glMemoryBarrier(GL_COMMAND_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+    return lists;
+}
+
+void GrassPass::drawBlades(GpuFrame& gpu, const gl::Framebuffer& target, bool seeds)
+{
     target.bind();
     gl::apply({.depthTest = GL_GREATER, .depthWrite = true});
-    glBindVertexArray(m_strips.id());
+    glBindVertexArray(seeds ? m_points.id() : m_strips.id());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, m_commands.id());
+    if (seeds) {
+        if (!gpu.use(m_shaders.program({.label = "grass of seeds", .stages = {"grass_seeds.vert.glsl", "grass_seeds.geom.glsl", "grass.frag.glsl"}}))) return;
+        glDrawArraysIndirect(GL_POINTS, nullptr);
+        gpu.count(1, 0);
+        return;
+    }
     for (std::size_t shape = 0; shape < GRASS_SHAPES; ++shape) {
         const gl::Program& program = m_shaders.program(
             {.label = "grass", .stages = {"grass.vert.glsl", "grass.frag.glsl"}, .defines = {"SEGMENTS " + std::to_string(kShapes[shape])}});
@@ -144,13 +224,44 @@ void GrassPass::render(GpuFrame& gpu, const gl::Framebuffer& target, Scenery& sc
         glDrawArraysIndirect(GL_TRIANGLE_STRIP, reinterpret_cast<const void*>(shape * kCommandBytes));
         gpu.count(1, 0);
     }
+}
+
+void GrassPass::countDrawn(FrameStats& stats, const Settings& settings)
+{
     if (const std::optional<glsl::GrassCounts> counts = m_readback.arrived()) {
-        gpu.stats().grassDrawn = std::min(counts->taken, std::uint32_t(settings.mostBlades));
-        gpu.stats().grassLeftOut = counts->taken - gpu.stats().grassDrawn;
-        if (gpu.stats().grassLeftOut > 0 && !std::exchange(m_warned, true))
+        stats.grassDrawn = std::min(counts->taken, std::uint32_t(settings.mostBlades));
+        stats.grassLeftOut = counts->taken - stats.grassDrawn;
+        if (stats.grassLeftOut > 0 && !std::exchange(m_warned, true))
             io::log::warning("{} blades of grass are in view, {} are drawn; lower render.grass_density or raise render.most_blades", counts->taken, settings.mostBlades);
     }
     m_readback.ask(m_counts);
+}
+
+void GrassPass::render(GpuFrame& gpu, GeometryPass& geometry, const GeometryPass::Drawn& drawn, Scenery& scenery, const Viewpoint& viewpoint,
+                       const io::Environment& environment, std::span<const Presser> pressers, const Settings& settings)
+{
+    gpu.stats().grassDrawn = gpu.stats().grassLeftOut = 0;
+    if (!settings.grass || !scenery.grass.present() || !scenery.terrain.present()) return scenery.footprints.forget();
+    const auto scope = gpu.scope("grass");
+    const bool seeds = settings.grassMethod == GrassFrom::Seeds;
+    const std::vector<Plant> plants = seeds ? std::vector<Plant>{} : plantsOf(scenery);
+    scenery.terrain.bind(gpu);
+    updateTint(gpu, scenery);
+    makeRoom(std::uint32_t(std::max(settings.mostBlades, 0)), plants.size());
+    gpu.constants(GRASS_BINDING, frame(scenery, viewpoint, environment, pressers, plants, settings));
+    constexpr GLuint kNone = 0;
+    glClearNamedBufferData(m_counts.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &kNone);
+    gpu.bind({{GRASS_MAP_UNIT, &scenery.grass.map()}, {GRASS_MASK_UNIT, &scenery.footprints.texture()}});
+    if (m_tint) gpu.bind({{GROUND_TINT_UNIT, &m_tint}});
+    storage(GRASS_BLADES_BINDING, m_blades.id());
+    storage(GRASS_COUNTS_BINDING, m_counts.id());
+    if (seeds ? !seed(gpu, geometry, scenery, drawn.ground) : !place(gpu, scenery, viewpoint, drawn.farthest, !plants.empty(), settings)) return;
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    const std::vector<DrawList> models = command(gpu, plants, seeds);
+    drawBlades(gpu, geometry.framebuffer(), seeds);
+    for (const DrawList& list : models)
+        geometry.drawObjects(gpu, list);
+    countDrawn(gpu.stats(), settings);
 }
 
 std::vector<glsl::GrassBlade> GrassPass::readBlades() const

@@ -1,4 +1,5 @@
-// Grass into the GBuffer: placed by a compute shader, drawn by what that wrote, nothing read back but counts for the statistics.
+// Grass into the GBuffer: placed by a compute shader, drawn by what that wrote, nothing read back but counts for the statistics. Kinds that
+// name a template are drawn as its model; and there is the original's way, by seeds of the ground's pixels.
 #pragma once
 
 #include "renderer/gpu_readback.h"
@@ -10,23 +11,34 @@ class GrassPass {
 public:
     explicit GrassPass(ShaderLibrary& shaders);
 
-    // The GBuffer's targets are bound; the ground and all that hides grass is in them.
-    void render(GpuFrame& gpu, const gl::Framebuffer& target, Scenery& scenery, const Viewpoint& viewpoint, const io::Environment& environment,
-                std::span<const Presser> pressers, const Settings& settings);
+    // The ground and all that hides grass is in the GBuffer.
+    void render(GpuFrame& gpu, GeometryPass& geometry, const GeometryPass::Drawn& drawn, Scenery& scenery, const Viewpoint& viewpoint,
+                const io::Environment& environment, std::span<const Presser> pressers, const Settings& settings);
 
     std::vector<glsl::GrassBlade> readBlades() const; // of the last frame, waits for the GPU; for tests
 
 private:
-    bool place(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const io::Environment& environment, std::span<const Presser> pressers,
-               const Settings& settings);
-    void makeRoom(std::uint32_t most);
+    struct Plant { // a kind that grows as a model
+        int kind = 0;
+        ModelRef model;
+    };
+    static std::vector<Plant> plantsOf(const Scenery& scenery);
+    void makeRoom(std::uint32_t most, std::size_t plants);
     void updateTint(GpuFrame& gpu, Scenery& scenery);
+    glsl::GrassFrame frame(const Scenery& scenery, const Viewpoint& viewpoint, const io::Environment& environment, std::span<const Presser> pressers,
+                           std::span<const Plant> plants, const Settings& settings) const;
+    std::vector<std::string> groundDefines(const Scenery& scenery) const;
+    bool place(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const gl::Texture* farthest, bool plants, const Settings& settings);
+    bool seed(GpuFrame& gpu, GeometryPass& geometry, Scenery& scenery, const Terrain::Draws& ground);
+    std::vector<DrawList> command(GpuFrame& gpu, std::span<const Plant> plants, bool seeds);
+    void drawBlades(GpuFrame& gpu, const gl::Framebuffer& target, bool seeds);
+    void countDrawn(FrameStats& stats, const Settings& settings);
 
     ShaderLibrary& m_shaders;
-    const gl::Program& m_commandsProgram;
     gl::Buffer m_blades, m_counts, m_commands;
     std::uint32_t m_room = 0; // of each shape
-    gl::VertexArray m_strips, m_bare; // the second has no vertices
+    gl::Buffer m_plants, m_plantCommands;
+    gl::VertexArray m_strips, m_points, m_bare; // the last has no vertices
     gl::Texture m_tint;
     GpuReadback<glsl::GrassCounts> m_readback;
     bool m_warned = false;

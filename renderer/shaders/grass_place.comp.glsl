@@ -2,35 +2,30 @@
 // alone, so it is the same in every frame, from every camera and at every resolution.
 #include "terrain.glsl"
 #include "view.glsl"
-#include "shared/grass.h"
+#include "grass_growth.glsl"
+#include "shared/drawn.h"
 #ifdef HOLES
 layout(binding = COVER_UNIT) uniform MAP_TEXTURE coverMap;
 #include "hole.glsl"
 #endif
+#ifdef HIDDEN
+#include "hidden.glsl"
+#endif
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(std140, binding = GRASS_BINDING) uniform GrassBlock { GrassFrame grass; };
 layout(std430, binding = GRASS_BLADES_BINDING) writeonly buffer Blades { GrassBlade blades[]; };
 layout(std430, binding = GRASS_COUNTS_BINDING) buffer Counts { GrassCounts counts; };
 layout(std430, binding = GRASS_TILES_BINDING) readonly buffer Tiles { GrassTile tiles[]; };
+#ifdef PLANTS
+#include "shared/instance.h"
+layout(std430, binding = GRASS_PLANTS_BINDING) writeonly buffer Plants { Instance plants[]; }; // as a view's copies
+#endif
 
 layout(binding = HEIGHTS_UNIT) uniform MAP_TEXTURE heights;
-layout(binding = GROUND_NORMALS_UNIT) uniform MAP_TEXTURE groundNormals;
-layout(binding = GRASS_MAP_UNIT) uniform sampler2D grassMap; // io::GrassCover
-layout(binding = GRASS_MASK_UNIT) uniform sampler2D footprints; // wraps around
-#ifdef TINT
-layout(binding = GROUND_TINT_UNIT) uniform sampler2D groundTint;
-#endif
 
 const float kFadeFrom = 0.6;  // of a level's end: from there on those that the next one lacks shrink
 const float kEndsFrom = 0.75; // of the distance to which grass is drawn
-const float kLeastBend = 1e-3;
-
-vec4 unit4(uint bits)
-{
-    return vec4(bits & 255u, (bits >> 8u) & 255u, (bits >> 16u) & 255u, bits >> 24u) * (1.0 / 255.0);
-}
 
 float heightOfTexel(ivec2 texel)
 {
@@ -53,40 +48,6 @@ float heightOf(ivec2 texel, vec2 f)
     return d + (c - d) * (1.0 - f.x) + (b - d) * (1.0 - f.y);
 }
 
-vec3 normalOf(ivec2 texel, vec2 f)
-{
-#ifdef WINDOWS
-    vec2 flat_ = texelFetch(groundNormals, windowTexel(texel + ivec2(f + 0.5), 0), 0).xy;
-#else
-    vec2 flat_ = textureLod(groundNormals, (vec2(texel) + f + 0.5) * terrain.texelSize, 0.0).xy;
-#endif
-    return vec3(flat_.x, sqrt(max(1.0 - dot(flat_, flat_), 0.0025)), flat_.y);
-}
-
-bool covered(ivec2 cell)
-{
-    return texelFetch(footprints, cell & (textureSize(footprints, 0) - 1), 0).r > 0.0;
-}
-
-// The clump that a place belongs to: the nearest of one point in each square.
-vec4 clumpAt(ivec2 cell, vec2 jitter, float size)
-{
-    float cells = max(size / GRASS_CELL, 1.0);
-    vec2 p = (vec2(cell) + jitter) / cells - 0.5;
-    ivec2 low = ivec2(floor(p));
-    float nearest = 1e9;
-    uint found = 0u;
-    for (int i = 0; i < 4; ++i) {
-        ivec2 square = low + ivec2(i & 1, i >> 1);
-        uvec3 h = grassHash(uvec3(uint(square.x), uint(square.y), 77u));
-        vec2 away = vec2(square) + vec2(h.xy >> 16u) * (1.0 / 65536.0) - p - 0.5;
-        float d = dot(away, away);
-        found = d < nearest ? h.z : found;
-        nearest = min(nearest, d);
-    }
-    return unit4(found);
-}
-
 bool inView(vec3 middle, float radius)
 {
     float ahead = dot(middle, view.forward);
@@ -95,6 +56,34 @@ bool inView(vec3 middle, float radius)
     vec2 grown = radius * sqrt(1.0 + 1.0 / vec2(dot(view.right, view.right), dot(view.up, view.up)));
     return all(lessThan(across, vec2(max(ahead, 0.0)) + grown));
 }
+
+#ifdef PLANTS
+// A model in a blade's place: as tall, upright, moved by the wind as objects are.
+void growPlant(Growth g, GrassKind k, ivec2 cell, vec3 root)
+{
+    uint index = atomicAdd(counts.plants[k.plant - 1u], 1u);
+    if (index >= grass.plantRoom) return;
+    float scale = g.tall * k.perHeight, turn = g.own.z * 6.2831853;
+    vec2 axis = vec2(cos(turn), sin(turn)) * scale;
+    uint phase = uint(g.own.w * 255.0);
+    Sway sway = windSway(grass.wind, windPlace(grass.wind, view.eyeHigh.xz, view.eyeLow.xz + root.xz), k.wind, g.tall, phase);
+    vec2 pressed = vec2(0.0);
+    for (int i = 0; i < grass.pressers; ++i) {
+        vec3 from = root - grass.presser[i].xyz;
+        pressed += normalize(from.xz + vec2(1e-4, 0.0)) * (1.0 - smoothstep(0.4, 1.0, length(from) / grass.presser[i].w)) * grass.pressed[i / 4][i % 4];
+    }
+    vec2 top = sway.top + pressed * (g.tall * 1.5);
+    Instance plant;
+    plant.positionHigh = view.eyeHigh;
+    plant.objectId = 0xffffffffu;
+    plant.positionLow = view.eyeLow + root;
+    plant.drawn = phase << DRAWN_PHASE_SHIFT | swayFlutter(sway) << DRAWN_FLUTTER_SHIFT;
+    plant.axisX = vec4(axis.x, 0.0, axis.y, top.x);
+    plant.axisY = vec4(0.0, scale, 0.0, top.y);
+    plant.axisZ = vec4(-axis.y, 0.0, axis.x, k.perHeight);
+    plants[(k.plant - 1u) * grass.plantRoom + index] = plant;
+}
+#endif
 
 void main()
 {
@@ -115,15 +104,8 @@ void main()
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(grass.mapSize)))) return;
     vec4 grown = texelFetch(grassMap, texel, 0);
     if (grown.g + grown.b == 0.0) return;
-    int kinds = int(grown.r * 255.0 + 0.5);
-    float u = (float(h.x & 65535u) + 0.5) * (1.0 / 65536.0);
-    int kind = kinds & 15;
-    bool grows = u < grown.g * grass.kind[kind].density * grass.density;
-    if (!grows) {
-        kind = kinds >> 4;
-        grows = 1.0 - u < grown.b * grass.kind[kind].density * grass.density;
-    }
-    if (!grows || covered(cell)) return;
+    int kind = kindAt(grown, (float(h.x & 65535u) + 0.5) * (1.0 / 65536.0), grass.density);
+    if (kind < 0 || covered(cell)) return;
     GrassKind k = grass.kind[kind];
 
     vec2 onGround = (terrain.eyeRest + across) / terrain.metres;
@@ -135,60 +117,28 @@ void main()
 #endif
     float height = heightOf(ground, within);
     vec3 normal = normalOf(ground, within);
-    float above = height - grass.water;
-    if (normal.y < k.steepness.x || normal.y > k.steepness.y || height < k.altitude.x || height > k.altitude.y || above < k.aboveWater.x ||
-        above > k.aboveWater.y)
-        return;
+    if (!bears(k, height, normal)) return;
 
-    vec4 clump = clumpAt(cell, jitter, k.clumpSize);
-    vec4 own = unit4(grassHash(uvec3(h.y, h.z, 9u)).y);
-    float tall = mix(k.height.x, k.height.y, mix(own.x, clump.x, k.clump)) * grown.a * (255.0 / 128.0);
     bool lasts = tile.level + 1 < GRASS_LEVELS && cell == grassCell(block >> 1, tile.level + 1);
     float shrink = lasts ? 1.0 : 1.0 - smoothstep(kFadeFrom, 1.0, away / grassFrom(tile.level + 1, grass.full));
     shrink *= 1.0 - smoothstep(kEndsFrom, 1.0, away / grass.distance);
-    tall *= mix(0.4, 1.0, shrink);
-    float wide = k.width * (0.7 + 0.6 * own.y) * shrink * max(1.0, away / (kFadeFrom * grass.full));
+    if (shrink <= 0.0) return;
+    Growth g = growthAt(k, cell, jitter, h, grown.a, shrink, max(1.0, away / (kFadeFrom * grass.full)));
     vec3 root = vec3(across.x, height - grass.eyeHeight, across.y);
-    if (shrink <= 0.0 || !inView(root + vec3(0.0, tall * 0.5, 0.0), tall + wide)) return;
-
-    // It leans with its clump and from the wind, and away from what presses it down.
-    float turn = (own.z + 0.17) * 6.2831853;
-    float lean = clump.z * 6.2831853;
-    vec2 bend = (vec2(cos(turn), sin(turn)) * (1.0 - k.clump) + vec2(cos(lean), sin(lean)) * k.clump) * k.bend * (0.5 + own.w) * 1.5;
-    vec2 gusts = windPlace(grass.wind, view.eyeHigh.xz, view.eyeLow.xz + across);
-    float speed = windSpeed(grass.wind, gusts);
-    float sways = windLean(speed) / WIND_MOST_LEAN * k.wind;
-    float own_ = windWave(grass.wind.time * (floor(WIND_PERIOD * (1.2 + 0.8 * own.x)) / WIND_PERIOD) + clump.y + own.w * 0.3);
-    bend += grass.wind.towards * sways * (1.0 + 0.5 * (own_ - 0.5));
-    for (int i = 0; i < grass.pressers; ++i) {
-        vec4 presser = grass.presser[i];
-        vec3 from = root - presser.xyz;
-        float near = 1.0 - smoothstep(0.4, 1.0, length(from) / presser.w);
-        bend += normalize(from.xz + vec2(1e-4, 0.0)) * near * grass.pressed[i / 4][i % 4] * 2.4;
-    }
-    float angle = length(bend);
-    bend *= min(angle, 2.6) / max(angle, kLeastBend);
-    // Where its tip would lie in what it must not grow through it leans the other way.
-    vec2 tip = bend / max(angle, kLeastBend) * (tall * min(angle, 1.0) * 0.6);
-    if (covered(cell + ivec2(floor(jitter + tip / GRASS_CELL)))) bend *= -0.35;
-
+    vec3 middle = root + vec3(0.0, g.tall * 0.5, 0.0);
+    if (grass.looksAhead != 0 && !inView(middle, g.tall + g.wide)) return;
+#ifdef HIDDEN
+    if (hidden(middle, g.tall + g.wide)) return;
+#endif
     uint place = atomicAdd(counts.taken, 1u);
     if (place >= grass.most) return;
-    float shown = tall / max(length(root), 0.1);
+#ifdef PLANTS
+    if (k.plant != 0u) return growPlant(g, k, cell, root);
+#endif
+    bendGrowth(g, k, cell, jitter, root);
+    float shown = g.tall / max(length(root), 0.1);
     int shape = shown > grass.shapeAngle ? 0 : shown > grass.shapeAngle * 0.3 ? 1 : 2;
     uint index = atomicAdd(counts.shape[shape], 1u);
     if (index >= grass.room) return;
-    GrassBlade blade;
-    blade.root = root;
-    blade.size = packHalf2x16(vec2(tall, wide));
-    blade.bend = packHalf2x16(bend);
-    blade.look = uint(own.z * 255.0) | uint(kind) << 8u | uint(mix(own.w, clump.w, 0.6) * 255.0) << 16u | uint(smoothstep(0.3, 1.0, away / grass.distance) * 255.0) << 24u;
-#ifdef TINT
-    vec3 tint = textureLod(groundTint, ((terrain.eyeTexel + onGround) * grass.tintScale), 0.0).rgb;
-    blade.ground = packUnorm4x8(vec4(tint, 1.0));
-#else
-    blade.ground = 0u;
-#endif
-    blade.slope = packSnorm2x16(normal.xz);
-    blades[uint(shape) * grass.room + index] = blade;
+    blades[uint(shape) * grass.room + index] = bladeOf(g, kind, root, normal, terrain.eyeTexel + onGround);
 }

@@ -18,8 +18,6 @@ TEST_F(Faults, wrongWordsEndWithTwo)
     expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "environment.fog.densitty=1"}),
                  "densitty");
     expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "environment.time=noon"}), "noon");
-    expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "render.grass_method=seeds"}),
-                 "comes with a later release");
     expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", "colour=red"}), "colour");
     expectMisuse(wold({"render", project, "--out", folder / "a.png", "--look", "tuesday"}), "golden-hour");
     for (const char* wrong : {"sky.planet_radius=0", "fog.density=-1", "sky.mie_scattering=nan", "shadows.filter=pcf9", "clouds.coverage=2"})

@@ -64,7 +64,7 @@ public:
             m_scenery.world.forgetTouched();
             m_scenery.terrain.forgetTouched();
             m_geometry.begin(v, true);
-            m_pass.render(gpu, m_geometry.framebuffer(), m_scenery, v, io::Environment{}, pressers, settings);
+            m_pass.render(gpu, m_geometry, {}, m_scenery, v, io::Environment{}, pressers, settings);
         });
         std::vector<Plant> plants;
         for (const glsl::GrassBlade& blade : m_pass.readBlades())

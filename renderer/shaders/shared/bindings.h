@@ -36,6 +36,9 @@
 #define GRASS_COUNTS_BINDING 1
 #define GRASS_TILES_BINDING 2
 #define GRASS_COMMANDS_BINDING 3
+#define GRASS_PLANTS_BINDING 4
+#define GRASS_PARTS_BINDING 5
+#define GRASS_PLANT_COMMANDS_BINDING 6
 
 // Texture units. A pass either draws materials, or the ground, or reads the GBuffer: the first five are shared.
 #define BASE_COLOUR_UNIT 0

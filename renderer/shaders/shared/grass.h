@@ -25,7 +25,7 @@ struct GrassKind {
     vec2 height;     float width; float density; // m; m; plants a cell
     vec2 steepness;  vec2 altitude;  // cosines of the steepest and the flattest slope; m
     vec2 aboveWater; float bend; float wind; // m; 0..1; 0..1
-    float clump;     float clumpSize; float unused0; float unused1; // 0..1; m
+    float clump;     float clumpSize; uint plant; float perHeight; // 0..1; m; 0: blades, else 1 + the place of its plants; 1 / their model's height
 };
 SHARED_STRUCT_END(GrassKind, 96)
 
@@ -36,7 +36,7 @@ SHARED_STRUCT_END(GrassTile, 16)
 
 struct GrassFrame {
     ivec2 eyeCell;   vec2 eyeRest;     // the cell that the eye is over, and m from its corner
-    vec2 mapFrom;    vec2 unused1;     // world x and z of the map's texel (0, 0), m
+    vec2 mapFrom;    uint plantRoom; int looksAhead; // world x and z of the map's texel (0, 0), m; of a kind's; 1: what is out of view is left out
     vec2 mapSize;    float mapTexel;   float eyeHeight; // texels; m; m
     float full;      float distance;   float water; int pressers; // m: to there all grow; to there some do; of the water's level
     uint most;       uint room;        float density; float shapeAngle; // plants; of a shape; share; radians of height from which 15 vertices show
@@ -50,9 +50,15 @@ SHARED_STRUCT_END(GrassFrame, 2000)
 
 struct GrassCounts {
     uint taken;               // plants, also those that found no room
-    uint shape[GRASS_SHAPES];
+    uint shape[GRASS_SHAPES]; // blades
+    uint plants[GRASS_KINDS]; // of models
 };
-SHARED_STRUCT_END(GrassCounts, 16)
+SHARED_STRUCT_END(GrassCounts, 80)
+
+struct GrassPart { // of a model that grows, one draw
+    uint firstIndex, indexCount, plants, unused0; // the place of its plants
+};
+SHARED_STRUCT_END(GrassPart, 16)
 
 // Jarzynski and Olano, "Hash Functions for GPU Rendering" (2020): pcg3d.
 SHARED_FUNCTION uvec3 grassHash(uvec3 v)
