@@ -63,6 +63,10 @@ TEST_F(Heard, ComesFromTheSideThatTheListenerTurnsToIt)
     EXPECT_GT(decibels(south.left, south.right), 12);
     const Loudness east = listen(*sound, {.ear = {0, 0, 0}, .yaw = -90});
     EXPECT_NEAR(decibels(east.left, east.right), 0, 0.5);
+    const Loudness half = listen(*sound, {.ear = {5, 0, 5}, .yaw = 90}); // it lies north, and one looks west
+    EXPECT_GT(decibels(half.right, half.left), 12);
+    const Loudness above = listen(*sound, {.ear = {5, 0, 5}, .yaw = -90, .pitch = 60});
+    EXPECT_GT(decibels(above.left, above.right), 12);
     const Loudness between = listen(*sound, {.ear = {0, 0, 0}, .yaw = -60});
     EXPECT_GT(decibels(between.right, between.left), 1);
     EXPECT_LT(decibels(between.right, between.left), decibels(north.right, north.left));
