@@ -38,7 +38,8 @@ WindSound windAt(const io::Scene& scene, const io::Environment& environment, con
     // The speed is that ten metres up; below and above it goes by a power of the height (the seventh root over open land).
     const double profile = std::clamp(std::pow(exposedHeight(scene, ear) / 10, 1.0 / 7), 0.6, 1.9);
     // Gusts come every few seconds, and some of them every half minute.
-    const float gust = io::noise(glm::vec2{float(std::fmod(seconds, 36000.0)) * 0.21f, 0.5f}, 77) + 0.6f * io::noise(glm::vec2{float(std::fmod(seconds, 36000.0)) * 0.05f, 0.5f}, 78);
+    const auto time = float(std::fmod(seconds, 36000.0));
+    const float gust = io::noise(glm::vec2{time * 0.21f, 0.5f}, 77) + 0.6f * io::noise(glm::vec2{time * 0.05f, 0.5f}, 78);
     const float speed = wind.speed * float(profile) * std::max(0.1f, 1 + wind.gustiness * gust);
     const float wet = std::max(environment.weather.rain, environment.weather.snow);
     const float storm = wind.speed > 12 ? std::min(1.0f, wet / kStormWeather) : 0; // rain lashes, and it howls
