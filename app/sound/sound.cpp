@@ -16,7 +16,11 @@ constexpr double kChooseEvery = 0.1;   // s
 constexpr double kConnectedEvery = 1;  // s
 constexpr double kStepRadius = 22;     // m
 constexpr std::uint64_t kWindKey = 1ull << 40; // beyond those of objects
-constexpr float kWindRadius = 1e6f;            // m: it is everywhere
+
+io::SoundSource everywhere(const std::string& file, io::SoundGroup group, float volume)
+{
+    return {.file = file, .group = group, .volume = volume, .radius = 1e6f, .falloff = {{0, 1}, {1, 1}}, .flat = true};
+}
 
 io::Result<SoundDevice> deviceFor(const SoundOptions& options)
 {
@@ -100,7 +104,7 @@ void Sound::State::choose(const SoundFrame& frame, const io::Environment& now)
     if (!windFile.empty()) {
         const WindSound wind = windAt(frame.scene, now, frame.listener.ear, time);
         all.push_back({.key = kWindKey,
-                       .source = {.file = windFile, .group = io::SoundGroup::Ambience, .volume = wind.level, .radius = kWindRadius, .falloff = {{0, 1}, {1, 1}}, .flat = true},
+                       .source = everywhere(windFile, io::SoundGroup::Ambience, wind.level),
                        .at = frame.listener.ear,
                        .pitch = wind.pitch,
                        .treble = wind.treble});
@@ -144,7 +148,7 @@ void Sound::State::playOnce(io::SoundSource source, const glm::dvec3& at, SoundC
 
 void Sound::play(const std::string& file, io::SoundGroup group, float volume)
 {
-    m_state->playOnce({.file = file, .group = group, .volume = volume, .radius = kWindRadius, .falloff = {{0, 1}, {1, 1}}, .flat = true}, m_state->listener.ear, SoundCut::Whole, 1);
+    m_state->playOnce(everywhere(file, group, volume), m_state->listener.ear, SoundCut::Whole, 1);
 }
 
 void Sound::play(const std::string& file, const glm::dvec3& at, double radius, io::SoundGroup group, float volume)

@@ -128,8 +128,8 @@ std::vector<SoundClip> splitAtSilence(const SoundClip& clip)
     std::vector<SoundClip> parts;
     std::size_t first = 0, last = 0; // of the part at hand: [first, last)
     const auto cut = [&] {
-        if (last > first)
-            parts.push_back({clip.channels, clip.rate, {clip.samples.begin() + std::ptrdiff_t(first * channels), clip.samples.begin() + std::ptrdiff_t(last * channels)}});
+        const auto at = [&](std::size_t frame) { return clip.samples.begin() + std::ptrdiff_t(frame * channels); };
+        if (last > first) parts.push_back({clip.channels, clip.rate, {at(first), at(last)}});
         first = last = 0;
     };
     for (std::size_t i = 0; i < clip.frames(); ++i) {

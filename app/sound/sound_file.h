@@ -14,7 +14,7 @@ struct sf_private_tag; // libsndfile's SNDFILE
 namespace app {
 
 constexpr int kMostSoundChannels = 8;
-constexpr double kWholeSoundSeconds = 20; // what is longer is streamed: whole, this takes 3.5 MB of CD quality in stereo
+constexpr double kWholeSoundSeconds = 8; // what is longer is streamed: decoding this takes 30 ms of CD quality in stereo
 
 struct SoundFormat {
     int channels = 1;

@@ -44,7 +44,7 @@ WindSound windAt(const io::Scene& scene, const io::Environment& environment, con
     const float wet = std::max(environment.weather.rain, environment.weather.snow);
     const float storm = wind.speed > 12 ? std::min(1.0f, wet / kStormWeather) : 0; // rain lashes, and it howls
     const float strength = std::min(1.0f, speed / kFullSpeed);
-    return {.level = std::min(1.0f, std::pow(strength, 1.4f) * (1 + 0.5f * storm)),
+    return {.level = std::min(1.0f, std::pow(strength, 1.2f) * (1 + 0.5f * storm)),
             .pitch = 0.85f + 0.35f * strength + 0.1f * storm,
             .treble = std::min(1.0f, 0.35f + 0.65f * strength + 0.2f * storm)};
 }
