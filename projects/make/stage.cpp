@@ -105,6 +105,28 @@ void Stage::addParticles(const std::string& name, const std::string& category, c
     m_world.project.templates.push_back(name);
 }
 
+void Stage::addSound(const std::string& name, const io::SoundSource& sound)
+{
+    m_world.scene.exchange(m_world.scene.templateSlot(name), io::Template{.name = name,
+                                                                          .category = "Sounds",
+                                                                          .markerSize = {0.3f, 0.3f, 0.3f},
+                                                                          .collision = io::Collision::None,
+                                                                          .footprintShape = io::Footprint::None,
+                                                                          .castShadow = false,
+                                                                          .sound = sound});
+    m_depths[name] = 0;
+    m_world.project.templates.push_back(name);
+}
+
+void Stage::edit(std::string_view name, const std::function<void(io::Template&)>& change)
+{
+    const io::TemplateId id = m_world.scene.findTemplate(name);
+    EXPECTS(m_world.scene.find(id) != nullptr);
+    io::Template what = *m_world.scene.find(id);
+    change(what);
+    m_world.scene.exchange(id, std::move(what));
+}
+
 io::ObjectId Stage::addGroup(const std::string& name, glm::vec2 at)
 {
     const io::ObjectId id = m_world.scene.freshId();

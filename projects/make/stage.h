@@ -6,6 +6,7 @@
 #include "projects/make/random.h"
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -30,6 +31,8 @@ public:
     void addModels(std::span<const Entry> entries);
     void addMarker(const std::string& name, glm::vec3 size, bool casts = false);
     void addParticles(const std::string& name, const std::string& category, const io::ParticleSource& particles); // a small marker that gives them off
+    void addSound(const std::string& name, const io::SoundSource& sound); // a small marker that lets it be heard
+    void edit(std::string_view name, const std::function<void(io::Template&)>& change);
     io::ObjectId addGroup(const std::string& name, glm::vec2 at);
     io::ObjectId put(const Put& put, Random& random);
 
@@ -37,6 +40,7 @@ public:
     bool isFree(glm::vec2 at, float radius) const;
     void take(glm::vec2 at, float radius);
 
+    const std::filesystem::path& folder() const { return m_world.project.folder; }
     const io::HeightGrid& heights() const { return m_heights; }
     std::size_t objects() const { return m_world.scene.objects().size(); }
     std::size_t count(std::string_view what) const;

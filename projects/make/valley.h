@@ -8,6 +8,8 @@ namespace make {
 
 io::ObjectId setCamp(Stage& stage); // the group of what belongs to it
 void smokeOverFire(Stage& stage, io::ObjectId camp);
+io::Status addSounds(Stage& stage); // templates and files
+void setSounds(Stage& stage);
 void layRocks(Stage& stage);
 void plantForest(Stage& stage);
 void plantUndergrowth(Stage& stage);

@@ -1,0 +1,111 @@
+#include "app/sound/sound_sources.h"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+constexpr float kStormWind = 12; // m/s
+
+bool sounds(const io::Template* what)
+{
+    return what && !what->sound.file.empty();
+}
+
+SoundSources::Place placeOf(const io::Object& object, const io::Template& what)
+{
+    const glm::dvec3 offset{linearPart(object.transform) * what.sound.offset};
+    return {.at = object.transform.position + offset, .radius = what.sound.radius, .object = object.id, .what = object.templateId};
+}
+
+} // namespace
+
+void SoundSources::follow(const io::Scene& scene, const io::Changes& changes)
+{
+    const auto touches = [&](io::TemplateId id) {
+        const std::size_t slot = number(id) - 1;
+        return sounds(scene.find(id)) || (slot < m_sounding.size() && m_sounding[slot]);
+    };
+    if (!m_built || changes.everything || std::ranges::any_of(changes.templates, touches)) return rebuild(scene);
+    for (const io::ObjectId id : changes.objects)
+        followObject(scene, id);
+}
+
+void SoundSources::rebuild(const io::Scene& scene)
+{
+    m_built = true;
+    m_places.clear();
+    m_indexOf.clear();
+    m_sounding.clear();
+    bool any = false;
+    for (const io::Scene::TemplateSlot& slot : scene.templates()) {
+        m_sounding.push_back(slot.value && sounds(&*slot.value));
+        any |= m_sounding.back();
+    }
+    if (!any) return;
+    for (const io::Object& object : scene.objects()) {
+        const std::uint32_t slot = number(object.templateId);
+        if (slot == 0 || !m_sounding[slot - 1]) continue;
+        m_indexOf.emplace(object.id, m_places.size());
+        m_places.push_back(placeOf(object, *scene.find(object.templateId)));
+    }
+}
+
+void SoundSources::followObject(const io::Scene& scene, io::ObjectId id)
+{
+    const io::Object* const object = scene.find(id);
+    const io::Template* const what = object ? scene.find(object->templateId) : nullptr;
+    const auto known = m_indexOf.find(id);
+    if (sounds(what)) {
+        if (known != m_indexOf.end())
+            m_places[known->second] = placeOf(*object, *what);
+        else {
+            m_indexOf.emplace(id, m_places.size());
+            m_places.push_back(placeOf(*object, *what));
+        }
+        return;
+    }
+    if (known == m_indexOf.end()) return;
+    const std::size_t gap = known->second;
+    m_indexOf.erase(known);
+    if (gap + 1 < m_places.size()) {
+        m_places[gap] = m_places.back();
+        m_indexOf[m_places[gap].object] = gap;
+    }
+    m_places.pop_back();
+}
+
+float levelAt(const io::SoundSource& source, double distance)
+{
+    const float at = float(distance / std::max(double(source.radius), 1e-6));
+    if (!(at < 1)) return 0;
+    if (source.falloff.empty()) return (1 - at) * (1 - at);
+    // Keys by rising place; a hand-written file may have them otherwise.
+    const io::FalloffKey* before = nullptr;
+    const io::FalloffKey* after = nullptr;
+    for (const io::FalloffKey& key : source.falloff) {
+        if (key.at <= at && (!before || key.at >= before->at)) before = &key;
+        if (key.at > at && (!after || key.at < after->at)) after = &key;
+    }
+    if (!before) return after->level;
+    if (!after) return before->level;
+    return glm::mix(before->level, after->level, (at - before->at) / (after->at - before->at));
+}
+
+bool heardAt(const io::SoundSource& source, const io::Environment& environment)
+{
+    const float from = source.hours.x, to = source.hours.y;
+    const float hour = environment.time >= 24 ? environment.time - 24 : environment.time;
+    const bool inHours = from <= to ? (hour >= from && hour < to) : (hour >= from || hour < to);
+    if (!inHours) return false;
+    const bool wet = environment.weather.rain > 0 || environment.weather.snow > 0;
+    switch (source.weather) {
+    case io::SoundWeather::Any: return true;
+    case io::SoundWeather::Dry: return !wet;
+    case io::SoundWeather::Wet: return wet;
+    case io::SoundWeather::Storm: return wet && environment.wind.speed > kStormWind;
+    }
+    return true;
+}
+
+} // namespace app
