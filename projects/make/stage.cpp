@@ -174,6 +174,23 @@ io::ObjectId Stage::put(const Put& put, Random& random)
     return fresh;
 }
 
+void Stage::addLayer(io::ScatterLayer layer)
+{
+    EXPECTS(m_planted.empty());
+    layer.id = m_world.scene.freshScatterId();
+    m_layer = std::move(layer);
+}
+
+void Stage::plant(const Put& put, Random& random)
+{
+    const io::Template* what = m_world.scene.find(m_world.scene.findTemplate(put.what));
+    EXPECTS(what != nullptr);
+    const auto species = std::ranges::find(m_layer.species, put.what, &io::Species::templateName);
+    EXPECTS(species != m_layer.species.end());
+    const io::PlacedInstance one = io::instanceAt(placed(put, *what, random), int(species - m_layer.species.begin()), io::kPaintedInstance);
+    m_planted[one.tile].instances.push_back(one.instance);
+}
+
 bool Stage::isFree(glm::vec2 at, float radius) const
 {
     constexpr int kReach = 2; // squares: nothing takes more than a radius of 8 m
@@ -249,6 +266,13 @@ io::Status Stage::save()
         fs::create_directories(m_world.project.folder / sub, error);
     for (const auto& [file, bytes] : m_models)
         if (io::Status written = io::writeFile(m_world.project.folder / file, bytes); !written) return written;
+    if (!m_planted.empty()) {
+        io::InstanceTiles tiles;
+        for (auto& [tile, planted] : m_planted)
+            tiles[tile] = std::make_shared<const io::InstanceTile>(std::move(planted));
+        m_world.scene.exchange(m_layer.id, std::move(tiles));
+        m_world.scene.exchange(std::vector{m_layer});
+    }
     const io::Result<io::FileTransaction::Report> saved = io::saveWorld(m_world);
     return saved ? io::Status{} : io::Status{saved.error()};
 }

@@ -35,6 +35,8 @@ public:
     void edit(std::string_view name, const std::function<void(io::Template&)>& change);
     io::ObjectId addGroup(const std::string& name, glm::vec2 at);
     io::ObjectId put(const Put& put, Random& random);
+    void addLayer(io::ScatterLayer layer); // whose instances follow
+    void plant(const Put& put, Random& random); // an instance of that layer, as painted by hand
 
     // Ground that something of `radius` metres may take: no one else's is within it.
     bool isFree(glm::vec2 at, float radius) const;
@@ -59,6 +61,8 @@ private:
     io::World m_world;
     io::HeightGrid m_heights;
     Textures& m_textures;
+    io::ScatterLayer m_layer;
+    std::map<glm::ivec2, io::InstanceTile, io::TileOrder> m_planted; // of it
     std::map<std::string, std::string> m_models;        // file inside the project, its bytes
     std::map<std::string, float, std::less<>> m_depths; // how far a template's model reaches below its origin, m
     std::map<std::pair<int, int>, std::vector<glm::vec3>> m_taken; // x, z, radius by square of 8 m

@@ -88,6 +88,7 @@ io::Status makeValley(const std::filesystem::path& folder, Textures& textures)
     Stage stage{folder, "Valley", makeValleyLand(), textures};
     stage.addModels(valleyEntries());
     stage.addMarker("spawn_point", {0.6f, 1.8f, 0.6f});
+    stage.edit("spawn_point", [](io::Template& t) { t.player.start = true; });
     stage.addMarker("point_of_interest", {0.5f, 0.5f, 0.5f});
     stage.addParticles("campfire_smoke", "Camp", smokeOfFire());
     if (io::Status sounds = addSounds(stage); !sounds) return sounds;
@@ -97,6 +98,7 @@ io::Status makeValley(const std::filesystem::path& folder, Textures& textures)
     layRocks(stage);
     plantForest(stage);
     plantUndergrowth(stage);
+    plantFarForest(stage);
     smokeOverFire(stage, camp); // last, so that the numbers of others stay
     setSounds(stage);
     growGrass(stage);

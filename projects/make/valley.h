@@ -12,6 +12,7 @@ io::Status addSounds(Stage& stage); // templates and files
 void setSounds(Stage& stage);
 void layRocks(Stage& stage);
 void plantForest(Stage& stage);
+void plantFarForest(Stage& stage);
 void plantUndergrowth(Stage& stage);
 void growGrass(Stage& stage);
 void setViews(Stage& stage);

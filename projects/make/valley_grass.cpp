@@ -1,4 +1,4 @@
-// The valley's grass: meadows on the plain, drier ones on its knolls, tufts under the trees, reeds along the stream.
+// The valley's grass: meadows on the plain with flowers and tall tufts in them, drier ones on its knolls, tufts under the trees, reeds along the stream.
 #include "projects/make/noise.h"
 #include "projects/make/valley.h"
 #include "projects/make/valley_land.h"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kTexels = 2; // of the heights
 
-enum Kind { Meadow, Dry, Woodland, Reeds };
+enum Kind { Meadow, Dry, Woodland, Reeds, Flowers, Tall };
 
 std::vector<io::GrassKind> kinds()
 {
@@ -57,7 +57,19 @@ std::vector<io::GrassKind> kinds()
              .clump = 0.4f,
              .clumpSize = 1.6f,
              .slope = {0, 45},
-             .aboveWater = {-0.35f, 0.35f}}};
+             .aboveWater = {-0.35f, 0.35f}},
+            {.name = "Wild flowers",
+             .plant = "flowers",
+             .density = 0.9f,
+             .height = {0.4f, 0.75f},
+             .clumpSize = 2.5f,
+             .slope = {0, 30}},
+            {.name = "Tall tufts",
+             .plant = "grass",
+             .density = 0.45f,
+             .height = {0.25f, 0.6f},
+             .clumpSize = 2,
+             .slope = {0, 36}}};
 }
 
 float smooth(float low, float high, float x)
@@ -76,6 +88,10 @@ io::GrassCover coverAt(const Stage& stage, glm::vec2 p)
     const float dry = std::clamp(0.12f + 0.9f * smooth(0.45f, 0.8f, patch) + high, 0.0f, 1.0f);
     const float meadow = open * trodden * bank * (0.55f + 0.45f * fine);
     const float tufts = (1 - open) * trodden * smooth(0.5f, 0.85f, fine) * (1 - smooth(0.55f, 0.95f, forest)) * 0.9f;
+    const float blooms = open * bank * trodden * smooth(0.56f, 0.68f, 0.5f + 0.5f * noise(p / 17.0f, 974));
+    const float tall = open * bank * trodden * smooth(0.6f, 0.7f, 0.5f + 0.5f * noise(p / 13.0f, 975));
+    const float others = std::round(std::max(blooms, tall) * 2) / 2; // few steps, as below
+    if (others > 0) return {{Meadow, blooms > tall ? Flowers : Tall}, {meadow * (1 - 0.75f * dry), others}, 0.65f + 0.6f * patch};
     if (tufts > meadow) return {{Woodland, Dry}, {tufts, 0.25f * dry * open}, 0.8f + 0.4f * fine};
     return {{Meadow, Dry}, {meadow * (1 - 0.75f * dry), meadow * dry}, 0.65f + 0.6f * patch};
 }
@@ -84,7 +100,7 @@ io::GrassCover coverAt(const Stage& stage, glm::vec2 p)
 io::GrassCover inSteps(io::GrassCover cover)
 {
     for (float& density : cover.density)
-        density = std::round(density * 51) / 51;
+        density = std::round(density * 20) / 20;
     cover.height = std::round(cover.height * 8) / 8;
     return cover;
 }

@@ -11,6 +11,7 @@ namespace make {
 namespace {
 
 constexpr int kTrees = 2930;
+constexpr int kFarTrees = 4200;
 
 float smooth(float low, float high, float x)
 {
@@ -144,6 +145,32 @@ void plantForest(Stage& stage)
     }
 }
 
+// Woods on the hills beyond what people walk through, as a scatter layer: nobody needs each of these trees by name.
+void plantFarForest(Stage& stage)
+{
+    io::ScatterLayer layer{.name = "Far woods", .density = 0.02f, .spacing = 4.5f, .slope = {0, 36}, .altitude = {34, 235}};
+    for (const char* tree : {"fir", "fir_old", "fir_young", "birch", "birch_autumn", "birch_old", "birch_young", "beech", "beech_autumn", "beech_old",
+                             "beech_young", "oak", "oak_autumn", "oak_old", "oak_young"})
+        layer.species.push_back({.templateName = tree});
+    stage.addLayer(std::move(layer));
+    Random random{951};
+    int planted = 0;
+    for (int attempt = 0; attempt < 400000 && planted < kFarTrees; ++attempt) {
+        Site site{.at = {random.range(-1010, 1010), random.range(-1010, 1010)}};
+        site.forest = forestAt(stage, site.at);
+        if (!random.chance(site.forest * (1 - nearness(site.at))) || site.forest < 0.1f) continue;
+        site.altitude = altitude(stage, site.at);
+        site.age = std::clamp(0.5f + 0.55f * noise(site.at / 65.0f, 84) + 0.30f * (site.forest - 0.5f), 0.0f, 1.0f);
+        site.wet = noise(site.at / 130.0f, 85);
+        const Kind kind = treeFor(site, random);
+        const float room = kind.room * glm::mix(1.0f, 0.75f, site.forest);
+        if (!stage.isFree(site.at, room)) continue;
+        stage.plant({.what = kind.name, .at = site.at}, random);
+        stage.take(site.at, room);
+        ++planted;
+    }
+}
+
 namespace {
 
 // Puts up to `count` of something where `share` (0..1) allows it, within `reach` metres of `centre`.
@@ -185,11 +212,6 @@ void plantUndergrowth(Stage& stage)
     const glm::vec2 middle = kCamp + glm::vec2{10, -20};
     const auto edge = [&](glm::vec2 p) { return edgeAt(stage, p) * nearness(p); };
     const auto inside = [&](glm::vec2 p) { return smooth(0.35f, 0.8f, forestAt(stage, p)) * nearness(p); };
-    const auto open = [&](glm::vec2 p) {
-        const float meadow = (1 - smooth(0.1f, 0.4f, forestAt(stage, p))) * smooth(9, 12, streamDistance(p));
-        return meadow * smooth(4.5f, 9, glm::length(p - kCamp)) *
-               (0.35f + 0.65f * smooth(-0.1f, 0.5f, noise(p / 7.0f, 91)));
-    };
     const auto bank = [&](glm::vec2 p) {
         return smooth(29.3f, 29.9f, altitude(stage, p)) * smooth(24, 14, streamDistance(p));
     };
@@ -219,15 +241,6 @@ void plantUndergrowth(Stage& stage)
     scatter(stage, {"bush_low", 70, 0.9f, middle, 330, 916}, edge);
     scatter(stage, {"bush", 60, 1.0f, middle, 380, 917}, bank);
     scatter(stage, {"fern", 170, 0.5f, middle, 260, 918}, inside);
-    scatter(stage, {"grass_dry", 120, 0.45f, middle, 190, 919}, bank);
-    scatter(stage, {"grass", 330, 0.32f, kCamp, 30, 920}, open);
-    scatter(stage, {"grass_dry", 46, 0.4f, kCamp, 40, 921}, open);
-    scatter(stage, {"flowers", 90, 0.35f, kCamp + glm::vec2{4, 0}, 34, 922}, open);
-    scatter(stage, {"grass", 70, 0.4f, middle, 200, 923}, open);
-    const glm::vec2 byTheWood = kCamp + glm::vec2{-26, 74};
-    scatter(stage, {"grass", 60, 0.4f, byTheWood, 42, 943}, open);
-    scatter(stage, {"grass_dry", 36, 0.4f, byTheWood, 48, 944}, open);
-    scatter(stage, {"flowers", 20, 0.4f, byTheWood, 36, 945}, open);
 }
 
 namespace {

@@ -149,7 +149,9 @@ bool GrassPass::place(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoin
 // The ground once more, where it is to be seen.
 bool GrassPass::seed(GpuFrame& gpu, GeometryPass& geometry, Scenery& scenery, const Terrain::Draws& ground)
 {
-    geometry.framebuffer().bind();
+    const gl::Texture& depth = geometry.targets().depth;
+    if (std::exchange(m_depthOf, depth.id()) != depth.id()) m_depth = gl::Framebuffer{{.label = "depth alone", .depth = &depth}};
+    m_depth.bind();
     std::vector<std::string> defines = scenery.terrain.coverDefines();
     std::erase(defines, "HOLES"); // there is no ground to be seen in them
     if (m_tint && !scenery.terrain.windowed()) defines.emplace_back("TINT");
@@ -247,6 +249,9 @@ void GrassPass::render(GpuFrame& gpu, GeometryPass& geometry, const GeometryPass
     const std::vector<Plant> plants = seeds ? std::vector<Plant>{} : plantsOf(scenery);
     scenery.terrain.bind(gpu);
     updateTint(gpu, scenery);
+    m_kinds.clear();
+    for (const Plant& plant : plants)
+        m_kinds.push_back(plant.kind);
     makeRoom(std::uint32_t(std::max(settings.mostBlades, 0)), plants.size());
     gpu.constants(GRASS_BINDING, frame(scenery, viewpoint, environment, pressers, plants, settings));
     constexpr GLuint kNone = 0;
@@ -277,6 +282,19 @@ std::vector<glsl::GrassBlade> GrassPass::readBlades() const
         blades.insert(blades.end(), some.begin(), some.end());
     }
     return blades;
+}
+
+std::vector<glsl::Instance> GrassPass::readPlants(int kind) const
+{
+    const auto found = std::ranges::find(m_kinds, kind);
+    if (found == m_kinds.end()) return {};
+    const auto place = std::size_t(found - m_kinds.begin());
+    glsl::GrassCounts counts{};
+    glGetNamedBufferSubData(m_counts.id(), 0, sizeof counts, &counts);
+    std::vector<glsl::Instance> plants(std::min(counts.plants[place], kPlantRoom));
+    if (!plants.empty())
+        glGetNamedBufferSubData(m_plants.id(), GLintptr(place * kPlantRoom * sizeof plants[0]), GLsizeiptr(plants.size() * sizeof plants[0]), plants.data());
+    return plants;
 }
 
 } // namespace renderer

@@ -16,6 +16,7 @@ public:
                 const io::Environment& environment, std::span<const Presser> pressers, const Settings& settings);
 
     std::vector<glsl::GrassBlade> readBlades() const; // of the last frame, waits for the GPU; for tests
+    std::vector<glsl::Instance> readPlants(int kind) const; // likewise, of one that grows as a model
 
 private:
     struct Plant { // a kind that grows as a model
@@ -38,8 +39,11 @@ private:
     gl::Buffer m_blades, m_counts, m_commands;
     std::uint32_t m_room = 0; // of each shape
     gl::Buffer m_plants, m_plantCommands;
+    std::vector<int> m_kinds; // whose plants lie there, in that order
     gl::VertexArray m_strips, m_points, m_bare; // the last has no vertices
     gl::Texture m_tint;
+    gl::Framebuffer m_depth; // the GBuffer's depth alone
+    GLuint m_depthOf = 0;    // that texture
     GpuReadback<glsl::GrassCounts> m_readback;
     bool m_warned = false;
 };

@@ -133,7 +133,10 @@ void main()
     uint place = atomicAdd(counts.taken, 1u);
     if (place >= grass.most) return;
 #ifdef PLANTS
-    if (k.plant != 0u) return growPlant(g, k, cell, root);
+    if (k.plant != 0u) {
+        growPlant(g, k, cell, root);
+        return;
+    }
 #endif
     bendGrowth(g, k, cell, jitter, root);
     float shown = g.tall / max(length(root), 0.1);

@@ -2,6 +2,7 @@
 #include "renderer/passes/grass.h"
 #include "renderer/wind.h"
 #include "tests/gl/support/pass_bench.h"
+#include "tests/gl/support/shared_renderer.h"
 #include "tests/gl/support/test_world.h"
 
 #include <algorithm>
@@ -71,6 +72,8 @@ public:
             plants.push_back({glm::dvec3{blade.root} + v.eye.position, glm::unpackHalf2x16(blade.size).x, int(blade.look >> 8 & 15), blade.ground});
         return plants;
     }
+
+    std::vector<glsl::Instance> models(int kind) const { return m_pass.readPlants(kind); } // of the last look
 
     renderer::Settings settings;
     std::vector<renderer::Presser> pressers;
@@ -310,6 +313,118 @@ TEST(Grass, MoreThanThereIsRoomForIsLeftOut)
     EXPECT_EQ(meadow.look(over(meadow, {0, 0})).size(), 500u);
     meadow.settings.mostBlades = 0;
     EXPECT_EQ(meadow.look(over(meadow, {0, 0})).size(), 0u);
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
+// How much of the picture a plant takes, up to a factor that all have in common.
+double pictureOf(const Plant& plant, const glm::dvec3& eye)
+{
+    const double away = std::max(glm::distance(plant.root, eye), 0.5);
+    return double(plant.height) / (away * away);
+}
+
+TEST(Grass, NothingJumpsAsTheEyeMovesTenMetres)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    Meadow meadow;
+    meadow.settings.grassDistance = 30;
+    std::map<Key, double> before;
+    for (int step = 0; step <= 200; ++step) { // 5 cm each
+        const glm::dvec3 eye{0.05 * step, groundAt(meadow, {0.05 * step, 0}) + 1.7, 0};
+        std::map<Key, double> now;
+        double all = 0, came = 0;
+        for (const Plant& plant : meadow.look({.eye = eye, .pitch = -89, .fov = 170}, {200, 200})) {
+            const double size = pictureOf(plant, eye);
+            now[{long(std::floor(plant.root.x / double(GRASS_CELL))), long(std::floor(plant.root.z / double(GRASS_CELL))), plant.kind, 0}] = size;
+            all += size;
+        }
+        for (const auto& [key, size] : now)
+            if (step > 0) came += std::abs(size - (before.contains(key) ? before[key] : 0)) > size * 0.9 ? size : 0;
+        EXPECT_LT(came, all * 0.005) << step;
+        before = std::move(now);
+    }
+}
+
+TEST(Grass, AKindCanBeAModelThatStandsOnTheGround)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    io::GrassKind flowers{.name = "flowers", .plant = "flower", .density = 3, .height = {0.5f, 0.8f}};
+    Meadow meadow{{{0, 1}, {0.5f, 1}, 1}, {::meadow(), flowers}};
+    test::addTemplate(meadow.world(), "flower", test::box({0.1f, 2, 0.1f}, {0.8f, 0.2f, 0.3f, 1}));
+    meadow.follow({.everything = true});
+    const glm::dvec2 middle{0, 0};
+    const std::vector<Plant> blades = meadow.look(over(meadow, middle));
+    EXPECT_TRUE(std::ranges::all_of(blades, [](const Plant& p) { return p.kind == 0; }));
+    const std::vector<glsl::Instance> plants = meadow.models(1);
+    std::ptrdiff_t near = 0;
+    for (const glsl::Instance& plant : plants) {
+        const glm::dvec3 root = glm::dvec3{plant.positionHigh} + glm::dvec3{plant.positionLow};
+        EXPECT_NEAR(root.y, groundAt(meadow, {root.x, root.z}), 0.01);
+        if (glm::length(glm::dvec2{root.x, root.z}) >= 6) continue; // farther ones shrink
+        ++near;
+        EXPECT_GE(plant.axisY.y * 2, 0.5f * 0.99f); // m, of a model of 2 m
+        EXPECT_LE(plant.axisY.y * 2, 0.8f * 1.01f);
+    }
+    EXPECT_NEAR(double(near) / (3.14159265 * 36), 3, 0.5);
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
+// The same meadow as a whole picture, with a wall before the eye.
+renderer::FrameInput behindAWall()
+{
+    test::TestWorld world = test::makeWorld({.heightMap = {257, 257}, .metresPerTexel = 1, .trees = 0, .boxes = 0});
+    const glm::dvec2 corner = world.scene.heights()->origin;
+    const std::vector<std::uint32_t> all(257u * 257u, io::packed(io::GrassCover{{0, 0}, {1, 0}, 1}));
+    world.scene.exchange(io::Grass{.map = "terrain/grass.png", .metresPerTexel = 1, .origin = corner, .kinds = {meadow()}});
+    world.scene.exchange(std::make_shared<const io::GrassMap>(io::TexelTiles<std::uint32_t>{glm::ivec2{257, 257}, all}, 1, corner));
+    const io::TemplateId wall = test::addTemplate(world, "wall", test::box({30, 6, 0.5f}, {0.6f, 0.6f, 0.6f, 1}));
+    const double ground = *world.scene.heights()->height(0, 0);
+    test::addObject(world, wall, {.position = {0, ground - 2, -6}});
+    test::load(world);
+    renderer::FrameInput in = test::frame({320, 180}, {.eye = {0, ground + 1.7, 0}});
+    in.settings.culler = renderer::Culler::Gpu;
+    in.settings.grass = true;
+    in.settings.mostBlades = 200'000;
+    return in;
+}
+
+void renderTillCounted(const renderer::FrameInput& in)
+{
+    for (int i = 0; i < 6; ++i) // counts come some frames late
+        test::shared().render(in);
+}
+
+TEST(Grass, WhatIsHiddenIsLeftOutAndNobodySees)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    renderer::FrameInput in = behindAWall();
+    renderTillCounted(in);
+    const io::Image with = test::shared().readPicture();
+    const std::uint64_t drawn = test::shared().stats().grassDrawn;
+    in.settings.occlusion = false;
+    renderTillCounted(in);
+    const io::Image without = test::shared().readPicture();
+    EXPECT_GT(drawn, 200u);
+    EXPECT_LT(drawn, test::shared().stats().grassDrawn / 2);
+    EXPECT_TRUE(with.bytes == without.bytes);
+}
+
+TEST(Grass, SeedsOfPixelsAreDrawnAndTheirCounterIsClamped)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    renderer::FrameInput in = behindAWall();
+    in.settings.grass = false;
+    renderTillCounted(in);
+    const io::Image bare = test::shared().readPicture();
+    in.settings.grass = true;
+    in.settings.grassMethod = renderer::GrassFrom::Seeds;
+    renderTillCounted(in);
+    EXPECT_GT(test::shared().stats().grassDrawn, 500u);
+    EXPECT_FALSE(test::shared().readPicture().bytes == bare.bytes);
+    in.settings.mostBlades = 300;
+    renderTillCounted(in);
+    EXPECT_EQ(test::shared().stats().grassDrawn, 300u);
+    EXPECT_GT(test::shared().stats().grassLeftOut, 0u);
     EXPECT_EQ(test::shared().glErrors(), 0u);
 }
 

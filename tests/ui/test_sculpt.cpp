@@ -55,6 +55,30 @@ TEST_F(Sculpting, CtrlLowersAndEscapeTakesBackWhatIsBeingDrawn)
     EXPECT_FALSE(rig.editor->viewport().sculpting);
 }
 
+TEST_F(Sculpting, GrassIsGrownAndMownByStrokesOfOneStepEach)
+{
+    setGrass(rig.document(), "Kinds", io::Grass{.kinds = {{.name = "meadow"}}});
+    rig.frame(3);
+    const auto dense = [&] { // where the strokes go
+        const std::shared_ptr<const io::GrassMap>& map = rig.document().scene().grassMap();
+        return map ? map->at({8, -10}).density[0] : 0.0f;
+    };
+    rig.click("Grow", "button");
+    rig.drag(rig.onScreen({0, 0, -10}), rig.onScreen({16, 0, -10}));
+    EXPECT_EQ(names().back(), "Grow grass");
+    EXPECT_GT(dense(), 0.05f);
+    const std::size_t steps = names().size();
+    rig.hold(true); // Ctrl mows
+    for (int i = 0; i < 12; ++i)
+        rig.drag(rig.onScreen({0, 0, -10}), rig.onScreen({16, 0, -10}));
+    rig.hold(false);
+    EXPECT_EQ(names().size(), steps + 12);
+    EXPECT_LT(dense(), 0.02f);
+    for (int i = 0; i < 13; ++i)
+        rig.key(editor::ctrl(Key::Z));
+    EXPECT_EQ(dense(), 0);
+}
+
 TEST_F(Sculpting, KeysTakeTheBrushAndChangeItsSize)
 {
     rig.key({.key = Key::B});
