@@ -116,6 +116,9 @@ void main()
     if (inHole(coverMap, vec2(ground) + within)) return;
 #endif
     float height = heightOf(ground, within);
+    vec3 root = vec3(across.x, height - grass.eyeHeight, across.y);
+    float tallest = max(k.height.x, k.height.y) * grown.a * (255.0 / 128.0);
+    if (grass.looksAhead != 0 && !inView(root + vec3(0.0, tallest * 0.5, 0.0), tallest)) return; // before all that costs more
     vec3 normal = normalOf(ground, within);
     if (!bears(k, height, normal)) return;
 
@@ -124,11 +127,8 @@ void main()
     shrink *= 1.0 - smoothstep(kEndsFrom, 1.0, away / grass.distance);
     if (shrink <= 0.0) return;
     Growth g = growthAt(k, cell, jitter, h, grown.a, shrink, max(1.0, away / (kFadeFrom * grass.full)));
-    vec3 root = vec3(across.x, height - grass.eyeHeight, across.y);
-    vec3 middle = root + vec3(0.0, g.tall * 0.5, 0.0);
-    if (grass.looksAhead != 0 && !inView(middle, g.tall + g.wide)) return;
 #ifdef HIDDEN
-    if (hidden(middle, g.tall + g.wide)) return;
+    if (hidden(root + vec3(0.0, g.tall * 0.5, 0.0), g.tall + g.wide)) return;
 #endif
     uint place = atomicAdd(counts.taken, 1u);
     if (place >= grass.most) return;
