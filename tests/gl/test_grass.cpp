@@ -249,6 +249,40 @@ TEST(Grass, ComesBackWhereAThingWas)
     EXPECT_EQ(meadow.look(over(meadow, {0, 0})).size(), before.size());
 }
 
+TEST(Grass, KeepsOutOfInstancesOfScatterLayersToo)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    Meadow meadow;
+    test::TestWorld& world = meadow.world();
+    const io::TemplateId crate = test::addTemplate(world, "crate", test::box({1, 1, 1}, {0.5f, 0.4f, 0.3f, 1}));
+    io::Template box = *world.scene.find(crate);
+    box.model = "models/crate.glb";
+    world.scene.exchange(crate, box);
+    const io::ScatterId layer = world.scene.freshScatterId();
+    world.scene.exchange(std::vector{io::ScatterLayer{.id = layer, .name = "crates", .species = {{.templateName = "crate"}}}});
+    std::map<glm::ivec2, io::InstanceTile, io::TileOrder> tiles;
+    std::vector<glm::dvec2> places;
+    for (double z = -20; z < 20; z += 2.3)
+        for (double x = -20; x < 20; x += 2.3) {
+            const io::PlacedInstance one = io::instanceAt({.position = {x, groundAt(meadow, {x, z}), z}}, 0);
+            tiles[one.tile].instances.push_back(one.instance);
+            places.emplace_back(x, z);
+        }
+    io::InstanceTiles shared;
+    for (auto& [tile, content] : tiles)
+        shared[tile] = std::make_shared<const io::InstanceTile>(std::move(content));
+    world.scene.exchange(layer, std::move(shared));
+    meadow.follow({.everything = true});
+    const std::vector<Plant> plants = meadow.look(over(meadow, {0, 0}));
+    ASSERT_GT(plants.size(), 2000u);
+    EXPECT_TRUE(std::ranges::none_of(plants, [&](const Plant& plant) {
+        return std::ranges::any_of(places, [&](const glm::dvec2& at) {
+            const glm::dvec2 away = glm::abs(glm::dvec2{plant.root.x, plant.root.z} - at);
+            return std::max(away.x, away.y) < 0.5;
+        });
+    }));
+}
+
 TEST(Grass, WhatCameIntoTheWindowIsKeptOutOfToo)
 {
     if (!test::haveContext()) GTEST_SKIP();
