@@ -21,6 +21,8 @@ pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2) # Debian's libimgui.a draws its glyphs with it
 pkg_check_modules(FONTCONFIG REQUIRED IMPORTED_TARGET fontconfig)
 pkg_check_modules(TINYGLTF REQUIRED IMPORTED_TARGET tinygltf)
+# In doubles, as places in the world are.
+pkg_check_modules(BULLET REQUIRED IMPORTED_TARGET bullet-float64)
 if(BUILD_TESTING)
     find_package(GTest REQUIRED)
 endif()

@@ -1,11 +1,11 @@
 cmake_minimum_required(VERSION 3.25) # IN_LIST
-# Fails when a file of FOLDER includes a floor that is not in ALLOWED (targets, as io_scene for io/scene),
+# Fails when a file of FOLDER includes a floor that is not in ALLOWED (targets, as io_scene for io/scene, app_play for app/play),
 # or a library from outside that belongs to another floor.
 string(REPLACE "," ";" allowed "${ALLOWED}")
 set(folders "")
 foreach(target IN LISTS allowed)
-    if(target MATCHES "^io_(.+)$")
-        list(APPEND folders "io/${CMAKE_MATCH_1}")
+    if(target MATCHES "^(io|app)_(.+)$")
+        list(APPEND folders "${CMAKE_MATCH_1}/${CMAKE_MATCH_2}")
     elseif(target)
         list(APPEND folders "${target}")
     endif()
@@ -17,14 +17,20 @@ set(owned
     "epoxy/gl=renderer"
     "epoxy/egl|GLFW/|CLI/|imgui_impl_|AL/=app"
     "embree[34]/=editor"
+    "btBullet|BulletCollision/|BulletDynamics/|LinearMath/=app/play"
     "imgui=editor,app")
 
 set(faults "")
 file(GLOB_RECURSE sources ${ROOT}/${FOLDER}/*.h ${ROOT}/${FOLDER}/*.cpp)
+file(GLOB inner ${ROOT}/${FOLDER}/*/CMakeLists.txt) # libraries of their own
+foreach(library IN LISTS inner)
+    get_filename_component(place ${library} DIRECTORY)
+    list(FILTER sources EXCLUDE REGEX "^${place}/")
+endforeach()
 foreach(source IN LISTS sources)
     file(STRINGS ${source} lines REGEX "^#include ")
     foreach(line IN LISTS lines)
-        if(line MATCHES "\"((io/[a-z]+|renderer|editor|app)/[^\"]*)\"")
+        if(line MATCHES "\"((io/[a-z]+|renderer|editor|app/play|app)/[^\"]*)\"")
             if(NOT CMAKE_MATCH_2 IN_LIST folders)
                 string(APPEND faults "\n${source}: includes ${CMAKE_MATCH_1}")
             endif()
