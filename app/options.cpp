@@ -11,7 +11,7 @@ namespace app {
 namespace {
 
 constexpr std::array<std::string_view, 11> kCommands{"edit", "play", "render", "pick", "run", "bench", "check", "new", "info", "import", "export"};
-constexpr std::array<std::string_view, 2> kLater{"play", "merge"};
+constexpr std::array<std::string_view, 1> kLater{"merge"};
 constexpr std::array<std::string_view, 5> kQualities{"auto", "low", "medium", "high", "ultra"};
 constexpr int kLargestSide = 16384;
 constexpr double kLargestPicture = 64e6; // pixels; the frame keeps about 50 bytes of each
