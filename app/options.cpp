@@ -10,8 +10,8 @@
 namespace app {
 namespace {
 
-constexpr std::array<std::string_view, 10> kCommands{"edit", "render", "pick", "run", "bench", "check", "new", "info", "import", "export"};
-constexpr std::array<std::string_view, 2> kLater{"play", "merge"};
+constexpr std::array<std::string_view, 11> kCommands{"edit", "play", "render", "pick", "run", "bench", "check", "new", "info", "import", "export"};
+constexpr std::array<std::string_view, 1> kLater{"merge"};
 constexpr std::array<std::string_view, 5> kQualities{"auto", "low", "medium", "high", "ultra"};
 constexpr int kLargestSide = 16384;
 constexpr double kLargestPicture = 64e6; // pixels; the frame keeps about 50 bytes of each
@@ -195,6 +195,18 @@ void addBench(CLI::App& app, Options& o)
     addView(app, o);
 }
 
+void addPlay(CLI::App& app, Options& o)
+{
+    addProject(app, o, true);
+    app.add_option("--input", o.input, "what mouse and keys do, an event a line (docs/replay.md)")->type_name("EVENTS.jsonl");
+    app.add_option_function<std::string>(
+           "--frames", [&o](const std::string& text) { o.frames = countFrom("--frames", text, 1); },
+           "steps of 1/60 s (default: as the events last)")
+        ->type_name("N");
+    app.add_option("--trace", o.trace, "write each step as a JSON line")->type_name("FILE");
+    addView(app, o);
+}
+
 void addPick(CLI::App& app, Options& o)
 {
     addProject(app, o, true);
@@ -215,6 +227,7 @@ void build(CLI::App& app, Options& o)
         sub.callback([&o, which] { o.command = which; });
     };
     command(Command::Edit, "open the editor's window (the default)", addEdit, addDrawing);
+    command(Command::Play, "walk through a world as recorded events say", addPlay, addDrawing);
     command(Command::Render, "draw one picture, or a sequence along a path", addRender, addDrawing);
     command(Command::Pick, "what lies under pixels", addPick, addDrawing);
     command(

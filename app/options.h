@@ -17,7 +17,7 @@
 
 namespace app {
 
-enum class Command { Edit, Render, Pick, Run, Bench, Check, New, Info, Import, Export };
+enum class Command { Edit, Play, Render, Pick, Run, Bench, Check, New, Info, Import, Export };
 enum class Quality { Auto, Low, Medium, High, Ultra };
 
 struct FrameRange {
@@ -63,7 +63,7 @@ struct Options {
     std::optional<io::Camera> cullFrom; // render
     std::optional<FrameRange> range; // render
     int count = 0;                   // render: pictures spread over the path; 0: not asked for
-    int frames = 0;                  // bench; 0: its own choice
+    int frames = 0;                  // bench, play; 0: its own choice
     int warmup = 10;                 // bench
     std::filesystem::path points;    // pick
     std::string script;              // run; "-" reads stdin
@@ -74,6 +74,8 @@ struct Options {
 
     std::filesystem::path replay;             // edit
     std::filesystem::path record;             // edit
+    std::filesystem::path input;              // play
+    std::filesystem::path trace;              // play
     std::filesystem::path uiMap;              // edit
     std::vector<std::filesystem::path> shots; // edit
 };

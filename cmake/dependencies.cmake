@@ -23,6 +23,8 @@ pkg_check_modules(FONTCONFIG REQUIRED IMPORTED_TARGET fontconfig)
 pkg_check_modules(TINYGLTF REQUIRED IMPORTED_TARGET tinygltf)
 pkg_check_modules(OPENAL REQUIRED IMPORTED_TARGET openal)
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
+# In doubles, as places in the world are.
+pkg_check_modules(BULLET REQUIRED IMPORTED_TARGET bullet-float64)
 if(BUILD_TESTING)
     find_package(GTest REQUIRED)
 endif()

@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.25) # IN_LIST
-# Fails when a file of FOLDER includes a floor that is not in ALLOWED (targets, as io_scene for io/scene),
+# Fails when a file of FOLDER includes a floor that is not in ALLOWED (targets, as io_scene for io/scene, app_play for app/play),
 # or a library from outside that belongs to another floor.
-set(rooms "app/sound") # libraries of their own inside a floor
+set(rooms "app/play" "app/sound") # libraries of their own inside a floor
 string(REPLACE "," ";" allowed "${ALLOWED}")
 set(folders "")
 foreach(target IN LISTS allowed)
@@ -20,6 +20,7 @@ set(owned
     "AL/=app/sound"
     "sndfile=app/sound,projects/make"
     "embree[34]/=editor"
+    "btBullet|BulletCollision/|BulletDynamics/|LinearMath/=app/play"
     "imgui=editor,app")
 
 set(faults "")

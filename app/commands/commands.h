@@ -8,6 +8,7 @@ namespace app {
 int execute(const Options& options);
 
 int edit(const Options& options);
+int play(const Options& options);
 int render(const Options& options);
 int pick(const Options& options);
 int runScript(const Options& options);

@@ -7,6 +7,8 @@ int execute(const Options& options)
     switch (options.command) {
     case Command::Edit:
         return edit(options);
+    case Command::Play:
+        return play(options);
     case Command::Render:
         return render(options);
     case Command::Pick:

@@ -23,7 +23,7 @@ TEST_F(Faults, wrongWordsEndWithTwo)
     for (const char* wrong : {"sky.planet_radius=0", "fog.density=-1", "sky.mie_scattering=nan", "shadows.filter=pcf9", "clouds.coverage=2"})
         expectMisuse(wold({"render", project, "--out", folder / "a.png", "--set", std::string{"environment."} + wrong}),
                      std::string{wrong}.substr(0, std::string_view{wrong}.find('=')));
-    expectMisuse(wold({"play", project}), "comes with a later release");
+    expectMisuse(wold({"play", project}), "play needs --input");
     expectMisuse(wold({"edit", project, "--headless"}), "--replay");
     EXPECT_FALSE(fs::exists(folder / "a.png"));
 }

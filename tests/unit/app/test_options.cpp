@@ -117,7 +117,7 @@ TEST(Options, wrongWordsEndWithTwoAndSayWhat)
 
 TEST(Options, whatComesLaterSaysSo)
 {
-    for (const char* command : {"play", "merge"}) {
+    for (const char* command : {"merge"}) {
         const Ending ending = refused({command, "p", "--whatever"});
         EXPECT_EQ(ending.code, 2);
         EXPECT_NE(lastLine(ending.text).find("comes with a later release"), std::string::npos);

@@ -1,0 +1,205 @@
+#include "app/play/session.h"
+
+#include "io/base/value.h"
+#include "io/files/json.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace play {
+namespace {
+
+constexpr double kStride = 1.5; // m from one step of the feet to the next
+
+const io::Object* startOf(const io::Scene& scene)
+{
+    const io::Object* best = nullptr;
+    for (const io::Object& object : scene.objects())
+        if (const io::Template* value = scene.find(object.templateId); value && value->player.start && (!best || object.id < best->id)) best = &object;
+    return best;
+}
+
+io::PlayerStart likesOf(const io::Scene& scene)
+{
+    const io::Object* start = startOf(scene);
+    return start ? scene.find(start->templateId)->player : io::PlayerStart{};
+}
+
+io::Value asValue(const glm::dvec3& v)
+{
+    return io::Value::Array{v.x, v.y, v.z};
+}
+
+} // namespace
+
+Session::Session(const io::Scene& scene, const io::Assets& assets, const io::Camera& camera)
+    : m_scene{scene}, m_begin{camera}, m_surroundings{m_scene, assets}, m_walker{likesOf(scene)}
+{
+    const io::PlayerStart& likes = m_walker.likes();
+    m_third = likes.eye == io::PlayerEye::Third;
+    if (const io::Object* start = startOf(m_scene))
+        m_walker.put(start->transform.position, start->transform.rotation.y, 0, m_surroundings);
+    else
+        m_walker.put(camera.eye - glm::dvec3{0, likes.eyeHeight, 0}, camera.yaw, camera.pitch, m_surroundings);
+    for (const io::Object& object : m_scene.objects())
+        if (const io::Template* value = m_scene.find(object.templateId); value && value->trigger.shape != io::TriggerShape::None)
+            m_triggers.push_back({object.id});
+    std::ranges::sort(m_triggers, {}, &Place::id);
+    m_eyeBefore = m_eyeNow = m_walker.eye();
+}
+
+void Session::change(io::ObjectId id, std::optional<io::Object> object)
+{
+    const auto before = m_scene.exchange(id, std::move(object));
+    m_original.try_emplace(number(id), before);
+    m_changes.objects.push_back(id);
+    m_surroundings.follow({.objects = {id}});
+}
+
+io::Changes Session::takeChanges()
+{
+    return std::exchange(m_changes, {});
+}
+
+io::Changes Session::differences() const
+{
+    io::Changes changes;
+    for (const auto& [id, object] : m_original)
+        changes.objects.push_back(io::ObjectId{id});
+    std::ranges::sort(changes.objects);
+    return changes;
+}
+
+void Session::step(const Wish& wish, bool otherEye)
+{
+    m_events.clear();
+    ++m_steps;
+    if (otherEye) m_third = !m_third;
+    m_eyeBefore = m_eyeNow;
+    carry();
+    const glm::dvec3 before = m_walker.feet();
+    m_walker.step(wish, m_surroundings);
+    if (m_walker.grounded()) m_walked += glm::length(m_walker.feet() - before);
+    sounds();
+    trigger();
+    m_eyeNow = m_walker.eye();
+    m_stoodOn = m_walker.ground();
+    if (const io::Object* object = m_scene.find(m_stoodOn)) m_stoodAt = object->transform;
+}
+
+void Session::carry()
+{
+    const io::Object* object = m_scene.find(m_stoodOn);
+    if (!object || object->transform == m_stoodAt) return;
+    m_walker.carry(io::worldFromModel(object->transform) * glm::inverse(io::worldFromModel(m_stoodAt)),
+                   object->transform.rotation.y - m_stoodAt.rotation.y, m_surroundings);
+}
+
+void Session::sounds()
+{
+    if (m_walked < kStride) return;
+    m_walked = 0;
+    const io::Object* object = m_scene.find(m_walker.ground());
+    const io::Template* value = object ? m_scene.find(object->templateId) : nullptr;
+    if (value && !value->steps.empty()) m_events.push_back({Event::Kind::Sound, value->steps, 0, m_walker.feet()});
+}
+
+bool Session::insideOf(const io::Object& object, const io::Trigger& trigger) const
+{
+    const glm::dquat turn = io::orientation(object.transform.rotation);
+    const glm::dvec3 size = glm::dvec3{trigger.size} * glm::abs(glm::dvec3{object.transform.scale}) / 2.0;
+    const glm::dvec3 at = glm::inverse(turn) * (m_walker.centre() - object.transform.position);
+    if (trigger.shape == io::TriggerShape::Sphere) return glm::dot(at, at) <= size.x * size.x;
+    return glm::all(glm::lessThanEqual(glm::abs(at), size));
+}
+
+void Session::trigger()
+{
+    for (Place& place : m_triggers) {
+        const io::Object* object = m_scene.find(place.id);
+        const io::Template* value = object ? m_scene.find(object->templateId) : nullptr;
+        const bool inside = value && insideOf(*object, value->trigger);
+        const bool entered = inside && !place.inside && !(place.done && value->trigger.once);
+        place.inside = inside;
+        if (!entered) continue;
+        place.done = true;
+        const glm::dvec3 at = object->transform.position;
+        const std::vector<io::TriggerAction> actions = value->trigger.actions; // they may hide the trigger itself
+        for (const io::TriggerAction& action : actions)
+            act(action, at);
+    }
+}
+
+void Session::act(const io::TriggerAction& action, const glm::dvec3& at)
+{
+    switch (action.action) {
+    case io::TriggerDo::PlaySound: return void(m_events.push_back({Event::Kind::Sound, action.what, 0, at}));
+    case io::TriggerDo::ComeToLook: return void(m_events.push_back({Event::Kind::Look, action.what, action.seconds, at}));
+    case io::TriggerDo::Message: return void(m_events.push_back({Event::Kind::Message, action.what, action.seconds, at}));
+    case io::TriggerDo::Show: return show(action.what, true);
+    case io::TriggerDo::Hide: return show(action.what, false);
+    case io::TriggerDo::Teleport:
+        if (const io::Camera* camera = m_scene.findCamera(action.what)) {
+            m_walker.put(camera->eye - glm::dvec3{0, m_walker.likes().eyeHeight, 0}, camera->yaw, camera->pitch, m_surroundings);
+            m_eyeBefore = m_walker.eye(); // nothing is between the two places
+        }
+        return;
+    }
+}
+
+// An object by its name, or all that a group of that name holds.
+void Session::show(const std::string& name, bool shown)
+{
+    if (name.empty()) return;
+    if (shown) {
+        for (const io::Object& object : std::exchange(m_hidden, {})) {
+            const io::Object* group = m_scene.find(object.parent);
+            if (object.name == name || (group && group->name == name)) change(object.id, object);
+            else m_hidden.push_back(object);
+        }
+        return;
+    }
+    std::vector<io::Object> gone;
+    for (const io::Object& object : m_scene.objects()) {
+        const io::Object* group = m_scene.find(object.parent);
+        if (object.templateId != io::TemplateId::None && (object.name == name || (group && group->name == name))) gone.push_back(object);
+    }
+    for (const io::Object& object : gone) {
+        m_hidden.push_back(object);
+        change(object.id, std::nullopt);
+    }
+}
+
+io::Camera Session::eye(const glm::dvec3& at) const
+{
+    io::Camera camera = m_begin;
+    camera.eye = at;
+    camera.yaw = float(m_walker.yaw());
+    camera.pitch = float(m_walker.pitch());
+    return camera;
+}
+
+io::Camera Session::camera(double share) const
+{
+    io::Camera camera = eye(glm::mix(m_eyeBefore, m_eyeNow, share));
+    if (m_third) camera.eye -= io::forward(camera) * double(m_walker.likes().behind);
+    return camera;
+}
+
+std::string traceLine(const Session& session)
+{
+    const Walker& walker = session.walker();
+    io::Value::Array contacts, sounds;
+    for (const Touched& touched : walker.touched())
+        contacts.push_back(io::Value::Object{{"id", double(number(touched.id))}, {"normal", asValue(touched.normal)}, {"speed", touched.speed}});
+    for (const Event& event : session.events())
+        if (event.kind == Event::Kind::Sound) sounds.push_back(event.what);
+    return io::writeJson(io::Value::Object{{"step", double(session.steps())},
+                                           {"position", asValue(walker.feet())},
+                                           {"velocity", asValue(walker.velocity())},
+                                           {"grounded", walker.grounded()},
+                                           {"contacts", std::move(contacts)},
+                                           {"sounds", std::move(sounds)}}) + "\n";
+}
+
+} // namespace play

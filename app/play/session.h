@@ -1,0 +1,74 @@
+// Session: playing a world. It has a copy of the scene beside the document's, steps it, and says what a mirror of it must follow.
+// The document is never touched.
+#pragma once
+
+#include "app/play/controls.h"
+#include "app/play/walker.h"
+#include "io/scene/camera.h"
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace play {
+
+// What the program around it is asked to do.
+struct Event {
+    enum class Kind { Sound, Look, Message };
+    Kind kind = Kind::Message;
+    std::string what;  // file, name of the look, text
+    float seconds = 0; // that a look takes, or a message stays
+    glm::dvec3 at{0};  // m, of a sound
+};
+
+class Session {
+public:
+    // From the first start marker of the scene, else from the camera. The assets must outlive it.
+    Session(const io::Scene& scene, const io::Assets& assets, const io::Camera& camera);
+
+    void step(const Wish& wish, bool otherEye = false);
+
+    const io::Scene& scene() const { return m_scene; }
+    const Walker& walker() const { return m_walker; }
+    Surroundings& surroundings() { return m_surroundings; }
+    const std::vector<Event>& events() const { return m_events; } // of the last step
+    long steps() const { return m_steps; }
+    io::Camera camera(double share = 1) const; // between the last two steps
+    io::Changes takeChanges();                 // of the scene, since the last call
+    io::Changes differences() const;           // between the scene and the document's: a mirror shows that again after these
+
+private:
+    struct Place { // of a trigger
+        io::ObjectId id;
+        bool inside = false, done = false;
+    };
+    void change(io::ObjectId id, std::optional<io::Object> object);
+    void carry();
+    void trigger();
+    bool insideOf(const io::Object& object, const io::Trigger& trigger) const;
+    void act(const io::TriggerAction& action, const glm::dvec3& at);
+    void show(const std::string& name, bool shown);
+    void sounds();
+    io::Camera eye(const glm::dvec3& at) const;
+
+    io::Scene m_scene;
+    io::Camera m_begin;
+    Surroundings m_surroundings;
+    Walker m_walker;
+    std::vector<Place> m_triggers;
+    std::vector<Event> m_events;
+    std::unordered_map<std::uint32_t, std::optional<io::Object>> m_original; // what the document holds of what changed
+    std::vector<io::Object> m_hidden;
+    io::Changes m_changes;
+    io::ObjectId m_stoodOn = io::ObjectId::None;
+    io::Transform m_stoodAt;
+    glm::dvec3 m_eyeBefore{0}, m_eyeNow{0};
+    double m_walked = 0; // m since the last foot was heard
+    bool m_third = false;
+    long m_steps = 0;
+};
+
+// One JSON object: step, position, velocity, grounded, contacts, sounds.
+std::string traceLine(const Session& session);
+
+} // namespace play

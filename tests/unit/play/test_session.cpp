@@ -1,0 +1,97 @@
+#include "stage.h"
+
+#include "app/play/session.h"
+#include "io/base/random.h"
+
+#include <gtest/gtest.h>
+
+namespace play {
+namespace {
+
+io::Camera above(double x, double z)
+{
+    return {.eye = {x, 3, z}};
+}
+
+test::Stage world()
+{
+    test::Stage stage;
+    stage.setGround([](double x, double) { return x * 0.05; });
+    const io::TemplateId box = stage.addBox({1, 2, 1});
+    for (int i = 0; i < 5; ++i)
+        stage.place(box, {i * 3.0 - 6, 0, -6});
+    return stage;
+}
+
+std::string traceOf(Session& session, int steps)
+{
+    io::Random random{3};
+    std::string trace;
+    for (int i = 0; i < steps; ++i) {
+        session.step({.move = {random.signedUnit(), 1}, .yaw = random.range(-3, 3), .run = true, .jump = random.chance(0.05f)});
+        trace += traceLine(session);
+    }
+    return trace;
+}
+
+TEST(Session, TheSameInputIsTheSameToTheLastBit)
+{
+    const test::Stage stage = world();
+    Session one{stage.scene, stage.assets, above(0, 0)}, other{stage.scene, stage.assets, above(0, 0)};
+    EXPECT_EQ(traceOf(one, 600), traceOf(other, 600));
+}
+
+TEST(Session, BeginsAtTheMarkerEvenUnderTheGround)
+{
+    test::Stage stage = world();
+    const io::TemplateId start = stage.addBox({1, 1, 1}, io::Collision::None);
+    io::Template value = *stage.scene.find(start);
+    value.player = {.start = true, .walk = 3};
+    stage.scene.exchange(start, value);
+    stage.place(start, {10, -40, 10}, {0, 90, 0});
+    Session session{stage.scene, stage.assets, above(0, 0)};
+    EXPECT_NEAR(session.walker().feet().x, 10, 0.5);
+    EXPECT_GE(session.walker().feet().y, 0.5);
+    EXPECT_EQ(session.walker().yaw(), 90);
+    EXPECT_EQ(session.walker().likes().walk, 3);
+}
+
+TEST(Session, TriggersDoWhatTheySayAndTheDocumentStaysAsItWas)
+{
+    test::Stage stage = world();
+    io::Object named = stage.scene.objects()[2];
+    named.name = "door";
+    stage.scene.exchange(named.id, named);
+    const io::TemplateId place = stage.addBox({1, 1, 1}, io::Collision::None);
+    io::Template value = *stage.scene.find(place);
+    value.trigger = {.shape = io::TriggerShape::Sphere, .size = {4, 4, 4}, .once = true,
+                     .actions = {{.action = io::TriggerDo::Hide, .what = "door"}, {.action = io::TriggerDo::Message, .what = "open"}}};
+    stage.scene.exchange(place, value);
+    stage.place(place, {0, 0, -4});
+    const io::Scene before = stage.scene;
+    Session session{stage.scene, stage.assets, above(0, 0)};
+    int messages = 0;
+    for (int i = 0; i < 300; ++i) {
+        session.step({.move = {0, 1}});
+        messages += int(session.events().size());
+    }
+    EXPECT_EQ(messages, 1);
+    EXPECT_EQ(session.scene().find(named.id), nullptr);
+    EXPECT_LT(session.walker().feet().z, -7); // through where the door was
+    EXPECT_TRUE(io::sameContent(before, stage.scene));
+    EXPECT_EQ(session.differences().objects, std::vector{named.id});
+}
+
+TEST(Controls, AProjectsBindingsReplaceTheUsualOnes)
+{
+    const io::Control bindings[]{{"jump", "mouse 1"}};
+    Controls controls{bindings};
+    EXPECT_FALSE(controls.wish({{"Space", 1}}, {}).jump);
+    EXPECT_TRUE(controls.wish({{"mouse 1", 1}}, {}).jump);
+    EXPECT_EQ(controls.wish({{"W", 1}, {"pad left +x", 0.5}}, {}).move, glm::dvec2(0.5, 1));
+    EXPECT_TRUE(controls.wish({{"F", 1}}, {}).fly);
+    EXPECT_FALSE(controls.wish({{"F", 1}}, {}).fly); // held on is no second press
+}
+
+} // namespace
+} // namespace play
