@@ -304,8 +304,10 @@ void viewActions(Actions& a, Editor& e)
            .checked = [&e] { return e.animates(); }});
     a.add({.id = "rendering", .run = [&e] { e.workspace().bringToFront("rendering"); }});
     a.add({.id = "reset_layout", .icon = Icon::Reset, .run = [&e] { e.workspace().reset(); }});
+    a.add({.id = "play", .keys = {.key = Key::F5}, .run = [&e] { e.host().play(false); }, .enabled = open});
+    a.add({.id = "play_start", .keys = {.key = Key::F5, .shift = true}, .run = [&e] { e.host().play(true); }, .enabled = open});
     a.add({.id = "reload_shaders",
-           .keys = {.key = Key::F5},
+           .keys = {.key = Key::F5, .ctrl = true},
            .run = [&e] { e.renderer()->reloadShaders(); },
            .enabled = [&e] { return e.renderer() != nullptr; }});
     a.add({.id = "keys", .icon = Icon::Info, .run = [&e] { e.dialogs().showKeys(); }});

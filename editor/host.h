@@ -36,6 +36,9 @@ public:
     // are read while the window waits, and a moving picture is never drawn coarser to be quicker.
     virtual bool repeatable() const { return true; }
 
+    // Walks through the open world from the view's camera, or from its start marker, until the person comes back.
+    virtual void play(bool fromMarker) { (void)fromMarker; }
+
     virtual std::vector<std::filesystem::path> shippedWorlds() const { return {}; } // for the start page
 
     // What the editor remembers for a person between two runs: one JSON object, null when there is none yet.

@@ -7,7 +7,7 @@
 #include "app/recorder.h"
 #include "app/report.h"
 #include "app/studio.h"
-#include "app/views/edit_view.h"
+#include "app/views/view_manager.h"
 #include "app/window.h"
 #include "editor/ui_map.h"
 #include "io/base/log.h"
@@ -44,17 +44,15 @@ double secondsSince(std::chrono::steady_clock::time_point start)
 
 class Stage {
 public:
-    Stage(const Options& options, EditView& view, ImguiHost& host, const Settings& settings)
-        : m_options{options}, m_view{view}, m_host{host}, m_settings{settings}, m_canvas{std::make_unique<renderer::Canvas>(options.size)}
+    Stage(const Options& options, ViewManager& views, ImguiHost& host, const Settings& settings)
+        : m_options{options}, m_views{views}, m_host{host}, m_settings{settings}, m_canvas{std::make_unique<renderer::Canvas>(options.size)}
     {
     }
 
     void draw()
     {
         m_host.setScale(m_settings.uiScale());
-        m_view.run(kStep);
-        m_host.begin(m_canvas->size(), kStep);
-        m_view.runImGui();
+        m_views.frame(kStep, [&] { m_host.begin(m_canvas->size(), kStep); });
         m_canvas->begin();
         m_host.end();
         ++m_frames;
@@ -92,7 +90,7 @@ private:
     }
 
     const Options& m_options;
-    EditView& m_view;
+    ViewManager& m_views;
     ImguiHost& m_host;
     const Settings& m_settings;
     std::unique_ptr<renderer::Canvas> m_canvas;
@@ -100,11 +98,11 @@ private:
     int m_frames = 0;
 };
 
-io::Status play(const Options& options, std::vector<Step> steps, EditView& view, ImguiHost& host,
+io::Status play(const Options& options, std::vector<Step> steps, ViewManager& views, EditView& view, ImguiHost& host,
                 const Settings& settings)
 {
     const auto start = std::chrono::steady_clock::now();
-    Stage stage{options, view, host, settings};
+    Stage stage{options, views, host, settings};
     Player player{std::move(steps), options.replay.string(), stage.hooks()};
     stage.draw(); // widgets have a place only once they were drawn
     for (;;) {
@@ -131,11 +129,12 @@ int replay(const Options& options)
     Settings settings = settingsFor(options);
     ImguiHost host{nullptr, settings.uiScale()};
     EditView view{options, (*studio)->renderer(), settings, std::move(std::get<Opened>(opened).document)};
-    if (const io::Status ready = view.init(); !ready) return fault(ready.error());
-    view.wake();
-    const io::Status played = play(options, *std::move(steps), view, host, settings);
-    view.stop();
-    view.burn();
+    PlayView walk{(*studio)->renderer()};
+    ViewManager views{view, walk};
+    if (const io::Status ready = views.init(); !ready) return fault(ready.error());
+    const io::Status played = play(options, *std::move(steps), views, view, host, settings);
+    views.stop();
+    views.burn();
     return played ? 0 : fault(played.error());
 }
 
@@ -143,8 +142,8 @@ int replay(const Options& options)
 
 class Loop {
 public:
-    Loop(Window& window, ImguiHost& host, EditView& view, const Settings& settings, Recorder* recorder)
-        : m_window{window}, m_host{host}, m_view{view}, m_settings{settings}, m_recorder{recorder}
+    Loop(Window& window, ImguiHost& host, ViewManager& views, EditView& view, const Settings& settings, Recorder* recorder)
+        : m_window{window}, m_host{host}, m_views{views}, m_view{view}, m_settings{settings}, m_recorder{recorder}
     {
     }
 
@@ -152,7 +151,10 @@ public:
     {
         while (!m_view.editor().wantsClose()) {
             const bool due = waitForSomething();
-            if (m_window.closeAsked()) m_view.editor().requestClose();
+            if (m_window.closeAsked()) {
+                m_views.endPlay();
+                m_view.editor().requestClose();
+            }
             m_view.openDropped(m_window.takeDropped());
             if (due && m_window.shown()) frame();
         }
@@ -163,7 +165,7 @@ private:
     bool waitForSomething()
     {
         const double passed = std::chrono::duration<double>(Clock::now() - m_last).count();
-        const double wait = m_window.shown() ? m_view.editor().nextFrameIn() - passed : kLook;
+        const double wait = !m_window.shown() ? kLook : m_views.playing() ? 0 : m_view.editor().nextFrameIn() - passed;
         if (wait <= 0) {
             m_window.takeEvents();
             return true;
@@ -187,22 +189,23 @@ private:
         const double seconds = std::chrono::duration<double>(now - m_last).count();
         m_last = now;
         m_host.setScale(m_window.scale() * m_settings.uiScale());
-        m_view.run(std::max(seconds, 1e-4));
-        m_host.begin({}, 0);
-        if (m_recorder) m_recorder->frame(ImGui::GetIO());
-        m_view.runImGui();
+        m_views.frame(std::max(seconds, 1e-4), [&] {
+            m_host.begin({}, 0);
+            if (m_recorder) m_recorder->frame(ImGui::GetIO());
+        });
         renderer::beginWindow(m_window.pixels());
         m_host.end();
         m_window.setTitle(m_view.editor().title());
-        m_window.setPointerHidden(m_view.editor().pointerHidden());
+        m_window.setPointerHidden(m_views.playing() || m_view.editor().pointerHidden());
         m_window.swap();
         ++m_frames;
-        m_view.frameTook(std::chrono::duration<double>(Clock::now() - now).count());
+        if (!m_views.playing()) m_view.frameTook(std::chrono::duration<double>(Clock::now() - now).count());
     }
 
     using Clock = std::chrono::steady_clock;
     Window& m_window;
     ImguiHost& m_host;
+    ViewManager& m_views;
     EditView& m_view;
     const Settings& m_settings;
     Recorder* m_recorder;
@@ -226,11 +229,12 @@ int openWindow(const Options& options)
     if (!renderer) return fault(renderer.error());
     ImguiHost host{window->get(), (*window)->scale() * settings.uiScale()};
     EditView view{options, **renderer, settings};
-    if (const io::Status ready = view.init(); !ready) return fault(ready.error());
-    view.wake();
-    Loop{**window, host, view, settings, recorder ? &*recorder : nullptr}.run();
-    view.stop();
-    view.burn();
+    PlayView walk{**renderer};
+    ViewManager views{view, walk};
+    if (const io::Status ready = views.init(); !ready) return fault(ready.error());
+    Loop{**window, host, views, view, settings, recorder ? &*recorder : nullptr}.run();
+    views.stop();
+    views.burn();
     return 0;
 }
 

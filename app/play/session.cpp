@@ -32,12 +32,12 @@ io::Value asValue(const glm::dvec3& v)
 
 } // namespace
 
-Session::Session(const io::Scene& scene, const io::Assets& assets, const io::Camera& camera)
+Session::Session(const io::Scene& scene, const io::Assets& assets, const io::Camera& camera, bool fromMarker)
     : m_scene{scene}, m_begin{camera}, m_surroundings{m_scene, assets}, m_walker{likesOf(scene)}
 {
     const io::PlayerStart& likes = m_walker.likes();
     m_third = likes.eye == io::PlayerEye::Third;
-    if (const io::Object* start = startOf(m_scene))
+    if (const io::Object* start = fromMarker ? startOf(m_scene) : nullptr)
         m_walker.put(start->transform.position, start->transform.rotation.y, 0, m_surroundings);
     else
         m_walker.put(camera.eye - glm::dvec3{0, likes.eyeHeight, 0}, camera.yaw, camera.pitch, m_surroundings);

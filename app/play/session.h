@@ -23,8 +23,8 @@ struct Event {
 
 class Session {
 public:
-    // From the first start marker of the scene, else from the camera. The assets must outlive it.
-    Session(const io::Scene& scene, const io::Assets& assets, const io::Camera& camera);
+    // From the first start marker of the scene, if that is asked for and there is one, else from the camera. The assets must outlive it.
+    Session(const io::Scene& scene, const io::Assets& assets, const io::Camera& camera, bool fromMarker = true);
 
     void step(const Wish& wish, bool otherEye = false);
 

@@ -7,6 +7,7 @@
 #include "io/base/paths.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 namespace fs = std::filesystem;
@@ -110,6 +111,13 @@ void EditView::frameTook(double seconds)
 void EditView::runImGui()
 {
     m_editor->frame(m_seconds);
+}
+
+std::optional<PlayBegin> EditView::takePlay()
+{
+    const std::optional<bool> asked = std::exchange(m_play, std::nullopt);
+    if (!asked || !m_editor->document()) return {};
+    return PlayBegin{m_editor->document(), m_editor->viewport().camera.camera(), *asked, repeatable(), m_editor->renderSettings};
 }
 
 void EditView::stop()

@@ -3,7 +3,7 @@
 
 #include "app/options.h"
 #include "app/settings.h"
-#include "app/views/view.h"
+#include "app/views/play_view.h"
 #include "editor/editor.h"
 
 #include <memory>
@@ -20,13 +20,14 @@ public:
     ~EditView() override;
 
     io::Status init() override;
-    void wake() override {}
+    void wake() override { m_editor->wake(); }
     void run(double seconds) override { m_seconds = seconds; }
     void runImGui() override;
     void stop() override;
     void burn() override;
 
     editor::Editor& editor() { return *m_editor; }
+    std::optional<PlayBegin> takePlay(); // once, after the person asked to play
     void frameTook(double seconds); // in the window: quality "auto" steps down while drawing is too slow to work with
     void openDropped(const std::vector<std::filesystem::path>& files); // a project dropped on the window
 
@@ -42,6 +43,7 @@ private:
     void addRecentProject(const std::filesystem::path& project) override;
     std::vector<std::filesystem::path> shippedWorlds() const override;
     bool repeatable() const override { return !m_options.replay.empty(); }
+    void play(bool fromMarker) override { m_play = fromMarker; }
     io::Value settings() const override { return m_settings.editor(); }
     void saveSettings(const io::Value& settings) override;
 
@@ -59,6 +61,7 @@ private:
     double m_seconds = 0;
     std::optional<Quality> m_lower; // the next step down of "auto"
     int m_slowFrames = 0;
+    std::optional<bool> m_play; // asked for; whether from the start marker
 };
 
 } // namespace app

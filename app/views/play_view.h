@@ -1,0 +1,75 @@
+// PlayView: walking through a world in the window. The editor lies behind it and is as it was when it comes back.
+#pragma once
+
+#include "app/play/session.h"
+#include "app/sound/sound.h"
+#include "app/views/view.h"
+#include "editor/document.h"
+#include "renderer/renderer.h"
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace app {
+
+struct PlayBegin {
+    const editor::Document* document = nullptr; // outlives the play, and does not change meanwhile
+    io::Camera camera;
+    bool fromMarker = false;   // begins at the world's start marker, if it has one
+    bool repeatable = false;   // no sound, and pictures in full size however long they take
+    renderer::Settings drawing;
+};
+
+class PlayView final : public View {
+public:
+    explicit PlayView(renderer::Renderer& renderer) : m_renderer{renderer} {}
+
+    void begin(const PlayBegin& begin); // before it is woken
+    bool wantsBack() const { return m_wantsBack; }
+
+    io::Status init() override { return {}; }
+    void run(double seconds) override;
+    void runImGui() override;
+    void stop() override; // the renderer shows the document's world again
+
+private:
+    struct Trod { // a place that grass is still getting up from
+        glm::dvec3 at{0};
+        double seconds = 0; // since
+    };
+    struct Message {
+        std::string text;
+        double seconds = 0; // that it stays
+    };
+    struct Coming { // a look on its way
+        io::Environment from, to;
+        double seconds = 0, passed = 0;
+    };
+    play::Held held() const;
+    void step(const play::Wish& wish);
+    void take(const play::Event& event);
+    void hear(double seconds);
+    std::vector<renderer::Presser> pressers() const;
+    glm::ivec2 pictureSize() const;
+    void drawOverlay() const;
+
+    renderer::Renderer& m_renderer;
+    PlayBegin m_begin;
+    std::optional<play::Session> m_session;
+    play::Controls m_controls;
+    std::optional<Sound> m_sound;
+    io::Changes m_heard; // changes that the sound has not been told
+    std::optional<io::Environment> m_now; // in place of the scene's, once a look came
+    std::optional<Coming> m_coming;
+    std::deque<Trod> m_trod;
+    std::deque<Message> m_messages;
+    double m_seconds = 0; // of this frame
+    double m_time = 0, m_rest = 0;
+    double m_scale = 1; // of the picture's sides, to keep up
+    glm::dvec3 m_before{0}; // feet at the last frame
+    bool m_overlay = false, m_wantsBack = false;
+};
+
+} // namespace app

@@ -1,0 +1,51 @@
+#include "app/views/view_manager.h"
+
+#include <utility>
+
+namespace app {
+
+io::Status ViewManager::init()
+{
+    for (View* view : {static_cast<View*>(&m_edit), static_cast<View*>(&m_play)})
+        if (io::Status ready = view->init(); !ready) return ready;
+    show(m_edit);
+    return {};
+}
+
+void ViewManager::show(View& view)
+{
+    if (m_now == &view) return;
+    if (m_now) m_now->stop();
+    m_now = &view;
+    view.wake();
+}
+
+void ViewManager::frame(double seconds, const std::function<void()>& beginImGui)
+{
+    if (playing() && m_play.wantsBack()) show(m_edit);
+    if (const std::optional<PlayBegin> begin = playing() ? std::nullopt : m_edit.takePlay()) {
+        m_play.begin(*begin);
+        show(m_play);
+    }
+    m_now->run(seconds);
+    beginImGui();
+    m_now->runImGui();
+}
+
+void ViewManager::endPlay()
+{
+    if (playing()) show(m_edit);
+}
+
+void ViewManager::stop()
+{
+    if (m_now) std::exchange(m_now, nullptr)->stop();
+}
+
+void ViewManager::burn()
+{
+    m_play.burn();
+    m_edit.burn();
+}
+
+} // namespace app
