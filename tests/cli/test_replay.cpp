@@ -38,6 +38,21 @@ TEST_F(Replay, isTheSameEveryTime)
     EXPECT_EQ(textOf(folder / "a.png"), textOf(folder / "b.png"));
 }
 
+TEST_F(Replay, playingLeavesTheEditorAndTheFilesAsTheyWere)
+{
+    const std::string before = scene();
+    const std::string walk = "{\"keydown\": \"F5\"}\n{\"keyup\": \"F5\"}\n{\"wait\": 20}\n{\"keydown\": \"W\"}\n{\"wait\": 40}\n{\"shot\": \"" + (folder / "playing.png") +
+                             "\"}\n{\"keyup\": \"W\"}\n{\"keydown\": \"Escape\"}\n{\"keyup\": \"Escape\"}\n";
+    ASSERT_EQ(play("{\"wait\": 90}\n", {"--shot", folder / "without.png"}).code, 0);
+    const Ran ran = play("{\"wait\": 10}\n" + walk + "{\"wait\": 10}\n", {"--shot", folder / "after.png"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const auto playing = io::readImage(folder / "playing.png"), after = io::readImage(folder / "after.png"), without = io::readImage(folder / "without.png");
+    ASSERT_TRUE(playing && after && without);
+    EXPECT_TRUE(after->bytes == without->bytes);
+    EXPECT_FALSE(after->bytes == playing->bytes);
+    EXPECT_EQ(scene(), before);
+}
+
 TEST_F(Replay, aBrokenLineIsNamedBeforeAnythingIsOpened)
 {
     expectFault(play("{\"wait\": 1}\n{\"click\": [1]}\n"), "events.jsonl:2");

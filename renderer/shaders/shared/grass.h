@@ -6,7 +6,7 @@
 SHARED_BEGIN
 
 #define GRASS_CELL 0.125f     // m, along a side; one plant at most grows in each, so 64 a square metre
-#define GRASS_TILE 64         // places along a side of a tile
+#define GRASS_TILE 16         // places along a side of a tile
 #define GRASS_KINDS 16
 #define GRASS_LEVELS 8        // of tiles: each has a quarter of the plants of the one before
 #define GRASS_SHAPES 3        // of blades: 15, 7 and 3 vertices
