@@ -258,7 +258,7 @@ void Viewport::release(Editor& editor)
         endStroke();
         break;
     case Drag::Scatter:
-        endScatter();
+        endScatter(editor);
         break;
     default:
         break;

@@ -96,7 +96,7 @@ private:
 
     void beginScatter(Editor& editor);
     void holdScatter(Editor& editor);
-    void endScatter();
+    void endScatter(Editor& editor);
     void updateScatter(Editor& editor);
     void addScatterLines(const Editor& editor, std::vector<renderer::Line>& lines) const;
 

@@ -4,6 +4,8 @@
 #include "editor/text.h"
 #include "editor/viewport.h"
 
+#include <algorithm>
+
 namespace editor {
 namespace {
 
@@ -63,10 +65,18 @@ void Viewport::holdScatter(Editor& editor)
     editor.follow();
 }
 
-void Viewport::endScatter()
+void Viewport::endScatter(Editor& editor)
 {
-    if (m_scatterStroke) m_scatterStroke->end();
+    if (!m_scatterStroke) return;
+    m_scatterStroke->end();
+    const ScatterBrush brush = m_scatterStroke->brush();
+    const std::vector<glm::dvec3> way = m_scatterStroke->way();
     m_scatterStroke.reset();
+    const io::ScatterLayer* layer = scatterTarget(*editor.document());
+    if (!layer || brush.mode != ScatterMode::Plant || brush.target != ScatterTarget::Instances) return;
+    const io::InstanceTiles& tiles = editor.document()->scene().instances(layer->id);
+    const bool bare = std::ranges::all_of(way, [&](const glm::dvec3& at) { return countIn(tiles, PlantRegion::disc({at.x, at.z}, double(brush.radius))) == 0; });
+    if (bare) editor.toasts().add(io::log::Level::Warning, tr("message.nothing_grows"));
 }
 
 // On meshes where the layer grows on them; plants themselves are looked through.

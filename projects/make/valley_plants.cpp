@@ -148,7 +148,7 @@ void plantForest(Stage& stage)
 // Woods on the hills beyond what people walk through, as a scatter layer: nobody needs each of these trees by name.
 void plantFarForest(Stage& stage)
 {
-    io::ScatterLayer layer{.name = "Far woods", .density = 0.02f, .spacing = 4.5f, .slope = {0, 36}, .altitude = {34, 235}};
+    io::ScatterLayer layer{.name = "Far woods", .density = 0.02f, .spacing = 4.5f, .slope = {0, 36}, .altitude = {29, 235}};
     for (const char* tree : {"fir", "fir_old", "fir_young", "birch", "birch_autumn", "birch_old", "birch_young", "beech", "beech_autumn", "beech_old",
                              "beech_young", "oak", "oak_autumn", "oak_old", "oak_young"})
         layer.species.push_back({.templateName = tree});

@@ -40,10 +40,12 @@ TEST(Valley, HasModelsOfEveryKindItPromises)
     }
 }
 
-TEST(Valley, HoldsSomeFiveThousandObjects)
+TEST(Valley, HoldsSomeFiveThousandObjectsAndAsManyTreesAsInstances)
 {
-    EXPECT_GT(valley().scene().objects().size(), 4800u);
+    EXPECT_GT(valley().scene().objects().size(), 4500u); // its tufts and flowers are grass
     EXPECT_LT(valley().scene().objects().size(), 5600u);
+    EXPECT_GT(valley().scene().instanceCount(), 4000u);
+    EXPECT_LT(valley().scene().instanceCount(), 5000u);
 }
 
 TEST(Valley, EverythingStandsOnTheGround)

@@ -70,6 +70,19 @@ TEST_F(Scattering, CtrlErasesShiftThinsAndEscapeTakesBackWhatIsBeingDrawn)
     EXPECT_FALSE(rig.editor->viewport().scattering);
 }
 
+TEST_F(Scattering, AStrokeWhereRulesLetNothingGrowSaysSo)
+{
+    std::vector<io::ScatterLayer> layers{rig.document().scene().scatterLayers().begin(), rig.document().scene().scatterLayers().end()};
+    layers.front().altitude = {500, 600};
+    rig.document().run(std::make_unique<editor::SwapScatterLayers>("Layer", layers));
+    rig.frame(2);
+    rig.click("Plant", "button");
+    EXPECT_TRUE(rig.editor->toasts().empty());
+    stroke();
+    EXPECT_EQ(count(), 0u);
+    EXPECT_FALSE(rig.editor->toasts().empty());
+}
+
 TEST_F(Scattering, ALassoFillsWhatItSurroundsAndAClickPlantsOne)
 {
     rig.click("Lasso", "button");
