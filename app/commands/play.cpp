@@ -11,8 +11,6 @@
 namespace app {
 namespace {
 
-constexpr double kTurnOfPixel = 0.15; // degrees that the head turns for a pixel of the pointer
-
 // Feeds recorded events to the player, each in a step of its own.
 class Hands {
 public:
@@ -47,7 +45,7 @@ private:
         if (const auto* button = std::get_if<step::Button>(&action)) return hold("mouse " + std::to_string(button->button + 1), button->down), true;
         if (const auto* move = std::get_if<step::Move>(&action)) {
             const glm::dvec2 to = glm::mix(move->from.pixel, move->to.pixel, move->share);
-            if (m_pointerKnown) turned = (m_pointer - to) * kTurnOfPixel;
+            if (m_pointerKnown) turned = (m_pointer - to) * play::kTurnOfPixel;
             m_pointer = to;
             return m_pointerKnown = true;
         }

@@ -12,6 +12,8 @@
 
 namespace play {
 
+constexpr double kTurnOfPixel = 0.15; // degrees that the head turns for a pixel of the pointer
+
 // What is held, by the name that io::Control gives it, and how far: 1 for a key, up to 1 for a stick.
 using Held = std::map<std::string, double, std::less<>>;
 

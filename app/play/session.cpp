@@ -101,7 +101,7 @@ void Session::sounds()
     m_walked = 0;
     const io::Object* object = m_scene.find(m_walker.ground());
     const io::Template* value = object ? m_scene.find(object->templateId) : nullptr;
-    if (value && !value->steps.empty()) m_events.push_back({Event::Kind::Sound, value->steps, 0, m_walker.feet()});
+    if (value && !value->steps.empty()) m_events.push_back({Event::Kind::Step, value->steps, 0, m_walker.feet()});
 }
 
 bool Session::insideOf(const io::Object& object, const io::Trigger& trigger) const
@@ -193,7 +193,7 @@ std::string traceLine(const Session& session)
     for (const Touched& touched : walker.touched())
         contacts.push_back(io::Value::Object{{"id", double(number(touched.id))}, {"normal", asValue(touched.normal)}, {"speed", touched.speed}});
     for (const Event& event : session.events())
-        if (event.kind == Event::Kind::Sound) sounds.push_back(event.what);
+        if (event.kind == Event::Kind::Sound || event.kind == Event::Kind::Step) sounds.push_back(event.what);
     return io::writeJson(io::Value::Object{{"step", double(session.steps())},
                                            {"position", asValue(walker.feet())},
                                            {"velocity", asValue(walker.velocity())},

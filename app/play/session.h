@@ -14,7 +14,7 @@ namespace play {
 
 // What the program around it is asked to do.
 struct Event {
-    enum class Kind { Sound, Look, Message };
+    enum class Kind { Sound, Step, Look, Message }; // a step: of feet on a thing, which app/sound hears by itself
     Kind kind = Kind::Message;
     std::string what;  // file, name of the look, text
     float seconds = 0; // that a look takes, or a message stays

@@ -16,7 +16,6 @@
 namespace app {
 namespace {
 
-constexpr double kTurnOfPixel = 0.15; // degrees
 constexpr double kMostBehind = 0.25;  // s of steps that one frame makes up for
 constexpr double kFastEnough = 1.0 / 24; // s a frame, from which the picture is drawn coarser
 constexpr double kCoarsest = 0.35;
@@ -87,7 +86,7 @@ void PlayView::take(const play::Event& event)
         m_messages.push_back({event.what, double(event.seconds)});
     } else if (event.kind == play::Event::Kind::Sound) {
         if (m_sound) m_sound->play(event.what, event.at, 30);
-    } else {
+    } else if (event.kind == play::Event::Kind::Look) {
         io::Complaints ignored;
         io::Result<io::Environment> look = io::lookNamed(event.what, now, io::KeptLooks{io::looksFolder()}, ignored);
         if (look) m_coming = Coming{now, *std::move(look), double(event.seconds)};
@@ -140,7 +139,7 @@ void PlayView::runImGui()
     if (editor::pressed(editor::Key::F3)) m_overlay = !m_overlay;
     const ImGuiIO& io = ImGui::GetIO();
     const play::Held now = held();
-    glm::dvec2 turned = glm::dvec2{-double(io.MouseDelta.x), -double(io.MouseDelta.y)} * kTurnOfPixel;
+    glm::dvec2 turned = glm::dvec2{-double(io.MouseDelta.x), -double(io.MouseDelta.y)} * play::kTurnOfPixel;
     m_rest = std::min(m_rest + m_seconds, kMostBehind);
     for (; m_rest >= play::kStep; m_rest -= play::kStep) {
         step(m_controls.wish(now, turned));

@@ -75,6 +75,14 @@ Kind treeFor(const Site& site, Random& random)
     return random.chance(std::max(firs, pocket * 0.8f)) ? coniferOf(site, random) : broadleafOf(site, random);
 }
 
+// The rest of it, where a tree is to be considered.
+void know(Site& site, const Stage& stage)
+{
+    site.altitude = altitude(stage, site.at);
+    site.age = std::clamp(0.5f + 0.55f * noise(site.at / 65.0f, 84) + 0.30f * (site.forest - 0.5f), 0.0f, 1.0f);
+    site.wet = noise(site.at / 130.0f, 85);
+}
+
 bool isTree(std::string_view name, const char* kind)
 {
     return name.starts_with(kind);
@@ -133,9 +141,7 @@ void plantForest(Stage& stage)
         if (chance > nearness(site.at)) continue;
         site.forest = forestAt(stage, site.at);
         if (chance > site.forest * nearness(site.at) || site.forest < 0.05f) continue;
-        site.altitude = altitude(stage, site.at);
-        site.age = std::clamp(0.5f + 0.55f * noise(site.at / 65.0f, 84) + 0.30f * (site.forest - 0.5f), 0.0f, 1.0f);
-        site.wet = noise(site.at / 130.0f, 85);
+        know(site, stage);
         const Kind kind = treeFor(site, random);
         const float room = kind.room * glm::mix(0.95f, 0.57f, site.forest);
         if (!stage.isFree(site.at, room)) continue;
@@ -159,9 +165,7 @@ void plantFarForest(Stage& stage)
         Site site{.at = {random.range(-1010, 1010), random.range(-1010, 1010)}};
         site.forest = forestAt(stage, site.at);
         if (!random.chance(site.forest * (1 - nearness(site.at))) || site.forest < 0.1f) continue;
-        site.altitude = altitude(stage, site.at);
-        site.age = std::clamp(0.5f + 0.55f * noise(site.at / 65.0f, 84) + 0.30f * (site.forest - 0.5f), 0.0f, 1.0f);
-        site.wet = noise(site.at / 130.0f, 85);
+        know(site, stage);
         const Kind kind = treeFor(site, random);
         const float room = kind.room * glm::mix(1.0f, 0.75f, site.forest);
         if (!stage.isFree(site.at, room)) continue;

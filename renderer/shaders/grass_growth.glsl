@@ -84,6 +84,17 @@ Growth growthAt(GrassKind k, ivec2 cell, vec2 jitter, uvec3 h, float factor, flo
     return g;
 }
 
+// Which way and how much it is pressed aside there.
+vec2 pressedAt(vec3 root)
+{
+    vec2 pressed = vec2(0.0);
+    for (int i = 0; i < grass.pressers; ++i) {
+        vec3 from = root - grass.presser[i].xyz;
+        pressed += normalize(from.xz + vec2(1e-4, 0.0)) * (1.0 - smoothstep(0.4, 1.0, length(from) / grass.presser[i].w)) * grass.pressed[i / 4][i % 4];
+    }
+    return pressed;
+}
+
 // It leans with its clump and from the wind, and away from what presses it down.
 void bendGrowth(inout Growth g, GrassKind k, ivec2 cell, vec2 jitter, vec3 root)
 {
@@ -95,12 +106,7 @@ void bendGrowth(inout Growth g, GrassKind k, ivec2 cell, vec2 jitter, vec3 root)
     float sways = windLean(speed) / WIND_MOST_LEAN * k.wind;
     float wave = windWave(grass.wind.time * (floor(WIND_PERIOD * (1.2 + 0.8 * g.own.x)) / WIND_PERIOD) + g.clump.y + g.own.w * 0.3);
     bend += grass.wind.towards * sways * (1.0 + 0.5 * (wave - 0.5));
-    for (int i = 0; i < grass.pressers; ++i) {
-        vec4 presser = grass.presser[i];
-        vec3 from = root - presser.xyz;
-        float near = 1.0 - smoothstep(0.4, 1.0, length(from) / presser.w);
-        bend += normalize(from.xz + vec2(1e-4, 0.0)) * near * grass.pressed[i / 4][i % 4] * 2.4;
-    }
+    bend += pressedAt(root) * 2.4;
     float angle = length(bend);
     bend *= min(angle, 2.6) / max(angle, kLeastBend);
     // Where its tip would lie in what it must not grow through it leans the other way.

@@ -67,12 +67,7 @@ void growPlant(Growth g, GrassKind k, ivec2 cell, vec3 root)
     vec2 axis = vec2(cos(turn), sin(turn)) * scale;
     uint phase = uint(g.own.w * 255.0);
     Sway sway = windSway(grass.wind, windPlace(grass.wind, view.eyeHigh.xz, view.eyeLow.xz + root.xz), k.wind, g.tall, phase);
-    vec2 pressed = vec2(0.0);
-    for (int i = 0; i < grass.pressers; ++i) {
-        vec3 from = root - grass.presser[i].xyz;
-        pressed += normalize(from.xz + vec2(1e-4, 0.0)) * (1.0 - smoothstep(0.4, 1.0, length(from) / grass.presser[i].w)) * grass.pressed[i / 4][i % 4];
-    }
-    vec2 top = sway.top + pressed * (g.tall * 1.5);
+    vec2 top = sway.top + pressedAt(root) * (g.tall * 1.5);
     Instance plant;
     plant.positionHigh = view.eyeHigh;
     plant.objectId = 0xffffffffu;
