@@ -5,21 +5,37 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <fmt/format.h>
 
 namespace renderer {
 namespace {
 
 constexpr int kMostTint = 512;          // texels along a side
 constexpr float kManyVertices = 60;     // pixels of height from which a blade has 15 of them
-constexpr std::uint32_t kShapes[GRASS_SHAPES] = {7, 3, 1}; // segments of each
-constexpr std::size_t kCommandBytes = 16;
 constexpr float kAnywhere = 1e9f; // m
+constexpr std::size_t kFoundShare = 4; // plants are found for each that may be drawn: some turn out to be out of view
 constexpr std::uint32_t kPlantRoom = 1 << 16; // plants of a kind that grows as a model
 constexpr std::uint32_t kMostPlantTriangles = 200; // of such a model, if it has a level with so few
 
 void storage(GLuint binding, GLuint buffer)
 {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer);
+}
+
+// Of a bundle of each shape, as 16 bits.
+gl::Buffer stripIndices()
+{
+    std::vector<std::uint16_t> indices;
+    for (int shape = 0; shape < GRASS_SHAPES; ++shape) {
+        const int triangles = glsl::grassSegments(shape) * 2 - 1;
+        for (int blade = 0; blade < GRASS_BUNDLE; ++blade)
+            for (int i = 0; i < triangles; ++i)
+                for (int corner = 0; corner < 3; ++corner)
+                    indices.push_back(std::uint16_t(blade * (triangles + 2) + i + corner));
+    }
+    gl::Buffer buffer{"grass indices", indices.size() * sizeof(indices[0])};
+    buffer.write(0, std::as_bytes(std::span{indices}));
+    return buffer;
 }
 
 } // namespace
@@ -31,24 +47,23 @@ GrassPass::GrassPass(ShaderLibrary& shaders) : m_shaders{shaders}, m_readback{"g
 void GrassPass::makeRoom(std::uint32_t most, std::size_t plants)
 {
     if (!m_strips.id()) {
+        m_indices = stripIndices();
         m_strips = gl::VertexArray{"grass"};
+        m_strips.indices(m_indices.id());
         m_points = gl::VertexArray{"grass seeds"};
-        for (gl::VertexArray* array : {&m_strips, &m_points}) {
-            array->attribute(0, 0, 3, GL_FLOAT, 0);
-            array->integers(1, 0, 1, GL_UNSIGNED_INT, offsetof(glsl::GrassBlade, size));
-            array->integers(2, 0, 4, GL_UNSIGNED_INT, offsetof(glsl::GrassBlade, bend));
-        }
-        m_strips.perInstance(0);
+        m_points.attribute(0, 0, 3, GL_FLOAT, 0);
+        m_points.integers(1, 0, 1, GL_UNSIGNED_INT, offsetof(glsl::GrassBlade, size));
+        m_points.integers(2, 0, 4, GL_UNSIGNED_INT, offsetof(glsl::GrassBlade, bend));
         m_counts = gl::Buffer{"grass counts", sizeof(glsl::GrassCounts)};
-        m_commands = gl::Buffer{"grass commands", GRASS_SHAPES * kCommandBytes};
+        m_commands = gl::Buffer{"grass commands", GRASS_SHAPES * sizeof(DrawCommand)};
     }
     const std::size_t plantBytes = plants * kPlantRoom * sizeof(glsl::Instance);
     if (m_plants.bytes() < plantBytes) m_plants = gl::Buffer{"grass plants", plantBytes};
     if (most == m_room && m_blades.id()) return;
     m_room = most;
     m_blades = gl::Buffer{"grass blades", std::max<std::size_t>(m_room, 1) * GRASS_SHAPES * sizeof(glsl::GrassBlade)};
-    m_strips.source(0, m_blades.id(), 0, sizeof(glsl::GrassBlade));
     m_points.source(0, m_blades.id(), 0, sizeof(glsl::GrassBlade));
+    m_found = gl::Buffer{"grass found", std::max<std::size_t>(m_room, 4096) * kFoundShare * sizeof(glsl::GrassFound)};
 }
 
 // The ground's colours from above, drawn by the ground's own shader when it looks other than it did.
@@ -98,6 +113,7 @@ glsl::GrassFrame GrassPass::frame(const Scenery& scenery, const Viewpoint& viewp
     const Eye& eye = viewpoint.eye;
     glsl::GrassFrame frame = scenery.grass.frame(eye, settings);
     frame.room = m_room;
+    frame.foundRoom = std::uint32_t(m_found.bytes() / sizeof(glsl::GrassFound));
     frame.plantRoom = kPlantRoom;
     frame.looksAhead = settings.culling && !viewpoint.frozen;
     frame.shapeAngle = float(kManyVertices * pixelAngle(eye));
@@ -133,16 +149,22 @@ bool GrassPass::place(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoin
     const std::optional<Volume> volume = settings.culling ? std::optional{volumeOf(viewpoint.culledFor)} : std::nullopt;
     const std::vector<glsl::GrassTile> tiles = scenery.grass.tiles(scenery.terrain, viewpoint.eye, volume, settings);
     if (tiles.empty()) return false;
+    const GpuStream::Piece piece = gpu.stream().put(std::span<const glsl::GrassTile>{tiles});
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, GRASS_TILES_BINDING, piece.buffer, GLintptr(piece.offset), GLsizeiptr(tiles.size() * sizeof(tiles[0])));
+    storage(GRASS_FOUND_BINDING, m_found.id());
     std::vector<std::string> defines = groundDefines(scenery);
+    if (!gpu.use(m_shaders.program({.label = "grass found", .stages = {"grass_find.comp.glsl"}, .defines = defines}))) return false;
+    glDispatchCompute(GLuint(tiles.size()), 1, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+
     if (scenery.terrain.holed()) defines.emplace_back("HOLES");
     if (farthest) defines.emplace_back("HIDDEN");
     if (plants) defines.emplace_back("PLANTS");
     if (!gpu.use(m_shaders.program({.label = "grass places", .stages = {"grass_place.comp.glsl"}, .defines = std::move(defines)}))) return false;
     if (farthest) gpu.bind({{IMAGE_UNIT, farthest}});
-    const GpuStream::Piece piece = gpu.stream().put(std::span<const glsl::GrassTile>{tiles});
-    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, GRASS_TILES_BINDING, piece.buffer, GLintptr(piece.offset), GLsizeiptr(tiles.size() * sizeof(tiles[0])));
     if (plants) storage(GRASS_PLANTS_BINDING, m_plants.id());
-    glDispatchCompute(GRASS_TILE / 8, GRASS_TILE / 8, GLuint(tiles.size()));
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, m_counts.id());
+    glDispatchComputeIndirect(offsetof(glsl::GrassCounts, groups));
     return true;
 }
 
@@ -214,16 +236,15 @@ void GrassPass::drawBlades(GpuFrame& gpu, const gl::Framebuffer& target, bool se
     glBindVertexArray(seeds ? m_points.id() : m_strips.id());
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, m_commands.id());
     if (seeds) {
-        if (!gpu.use(m_shaders.program({.label = "grass of seeds", .stages = {"grass_seeds.vert.glsl", "grass_seeds.geom.glsl", "grass.frag.glsl"}}))) return;
+        if (!gpu.use(m_shaders.program({.label = "grass of seeds", .stages = {"grass_seeds.vert.glsl", "grass_seeds.geom.glsl", "grass.frag.glsl"}, .defines = {"SEGMENTS 3"}}))) return;
         glDrawArraysIndirect(GL_POINTS, nullptr);
         gpu.count(1, 0);
         return;
     }
-    for (std::size_t shape = 0; shape < GRASS_SHAPES; ++shape) {
-        const gl::Program& program = m_shaders.program(
-            {.label = "grass", .stages = {"grass.vert.glsl", "grass.frag.glsl"}, .defines = {"SEGMENTS " + std::to_string(kShapes[shape])}});
-        if (!gpu.use(program)) return;
-        glDrawArraysIndirect(GL_TRIANGLE_STRIP, reinterpret_cast<const void*>(shape * kCommandBytes));
+    for (int shape = 0; shape < GRASS_SHAPES; ++shape) {
+        std::vector<std::string> defines{fmt::format("SHAPE {}", shape), fmt::format("SEGMENTS {}", glsl::grassSegments(shape))};
+        if (!gpu.use(m_shaders.program({.label = "grass", .stages = {"grass.vert.glsl", "grass.frag.glsl"}, .defines = std::move(defines)}))) return;
+        glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(std::size_t(shape) * sizeof(DrawCommand)));
         gpu.count(1, 0);
     }
 }
@@ -254,8 +275,9 @@ void GrassPass::render(GpuFrame& gpu, GeometryPass& geometry, const GeometryPass
         m_kinds.push_back(plant.kind);
     makeRoom(std::uint32_t(std::max(settings.mostBlades, 0)), plants.size());
     gpu.constants(GRASS_BINDING, frame(scenery, viewpoint, environment, pressers, plants, settings));
-    constexpr GLuint kNone = 0;
+    constexpr GLuint kNone = 0, kOne = 1;
     glClearNamedBufferData(m_counts.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &kNone);
+    glClearNamedBufferSubData(m_counts.id(), GL_R32UI, offsetof(glsl::GrassCounts, groupsY), 8, GL_RED_INTEGER, GL_UNSIGNED_INT, &kOne);
     gpu.bind({{GRASS_MAP_UNIT, &scenery.grass.map()}, {GRASS_MASK_UNIT, &scenery.footprints.texture()}});
     if (m_tint) gpu.bind({{GROUND_TINT_UNIT, &m_tint}});
     storage(GRASS_BLADES_BINDING, m_blades.id());

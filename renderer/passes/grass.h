@@ -36,10 +36,11 @@ private:
     void countDrawn(FrameStats& stats, const Settings& settings);
 
     ShaderLibrary& m_shaders;
-    gl::Buffer m_blades, m_counts, m_commands;
+    gl::Buffer m_found, m_blades, m_counts, m_commands;
     std::uint32_t m_room = 0; // of each shape
     gl::Buffer m_plants, m_plantCommands;
     std::vector<int> m_kinds; // whose plants lie there, in that order
+    gl::Buffer m_indices; // of bundles of blades
     gl::VertexArray m_strips, m_points, m_bare; // the last has no vertices
     gl::Texture m_tint;
     gl::Framebuffer m_depth; // the GBuffer's depth alone

@@ -1,12 +1,29 @@
 // A blade into the GBuffer. Whoever asks whose it is gets the ground.
-#include "gbuffer_out.glsl"
+#include "octahedron.glsl"
+#include "shared/gbuffer.h"
 
-layout(location = 0) in vec3 colour;
+layout(location = 0) in vec4 surface;
+#if SEGMENTS == 1
+layout(location = 1) flat in vec2 octahedralNormal;
+#else
 layout(location = 1) in vec3 normal;
-layout(location = 2) in float open;
+#endif
+
+layout(location = 0) out vec4 outColour;
+layout(location = 1) out vec2 outNormal;
+layout(location = 2) out vec4 outSurface;
+layout(location = 3) out uint outId;
+
+const float kRoughness = 0.62;
 
 void main()
 {
-    writeSurface(sqrt(colour), open, normalize(normal), 0.62, 0.0, SURFACE_LEAF, 0.0);
+    outColour = surface;
+#if SEGMENTS == 1
+    outNormal = octahedralNormal;
+#else
+    outNormal = octahedral(normalize(normal));
+#endif
+    outSurface = vec4(kRoughness, 0.0, float(SURFACE_LEAF) / 255.0, 0.0);
     outId = 0xffffffffu;
 }

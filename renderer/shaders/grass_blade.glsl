@@ -1,11 +1,15 @@
 // A blade: a strip along an arc, whose length is the blade's however it bends. SEGMENTS along it; needs view.glsl.
+#include "octahedron.glsl"
 #include "shared/grass.h"
 
 layout(std140, binding = GRASS_BINDING) uniform GrassBlock { GrassFrame grass; };
 
-layout(location = 0) out vec3 colour; // linear
+layout(location = 0) out vec4 surface; // square roots of the colour; share of the sky that is not hidden by those around it
+#if SEGMENTS == 1
+layout(location = 1) flat out vec2 octahedralNormal; // it is seen too small for more than one
+#else
 layout(location = 1) out vec3 normal;
-layout(location = 2) out float open;  // share of the sky that is not hidden by those around it
+#endif
 
 const float kStraight = 1e-3; // rad
 
@@ -45,7 +49,12 @@ void bladeVertex(int index, vec3 root, uint sizes, uvec4 packed_)
     vec2 slope = unpackSnorm2x16(packed_.w);
     vec3 ground = vec3(slope.x, sqrt(max(1.0 - dot(slope, slope), 0.0025)), slope.y);
     float far = look.w;
-    normal = normalize(mix(normalize(flat_ + across * (side * 0.5)), ground, 0.45 + 0.5 * far));
+    vec3 rounded = normalize(mix(normalize(flat_ + across * (side * 0.5)), ground, 0.45 + 0.5 * far));
+#if SEGMENTS == 1
+    octahedralNormal = octahedral(rounded);
+#else
+    normal = rounded;
+#endif
 
     vec4 stored = unpackUnorm4x8(packed_.z);
     vec3 tint = stored.rgb * stored.rgb;
@@ -53,7 +62,6 @@ void bladeVertex(int index, vec3 root, uint sizes, uvec4 packed_)
     vec3 own = mix(k.rootColour, k.tipColour, t) * (1.0 + 0.5 * tone);
     own = mix(own, own * vec3(1.35, 1.12, 0.7), max(tone, 0.0));
     float share = stored.a * mix(k.groundColour * (1.0 - t), 1.0, far);
-    colour = mix(own, tint * (0.75 + 0.5 * t), share);
-    open = mix(0.35 + 0.65 * t, 0.85, far);
+    surface = vec4(sqrt(mix(own, tint * (0.75 + 0.5 * t), share)), mix(0.35 + 0.65 * t, 0.85, far));
     gl_Position = view.clipFromRelative * vec4(point, 1.0);
 }

@@ -4,16 +4,25 @@
 
 layout(local_size_x = 64) in;
 
-struct Command {
+struct Elements {
+    uint count, instances, first;
+    int baseVertex;
+    uint baseInstance;
+};
+struct Arrays {
     uint count, instances, first, baseInstance;
 };
 
 layout(std140, binding = GRASS_BINDING) uniform GrassBlock { GrassFrame grass; };
 layout(std430, binding = GRASS_COUNTS_BINDING) readonly buffer Counts { GrassCounts counts; };
-layout(std430, binding = GRASS_COMMANDS_BINDING) writeonly buffer Commands { Command commands[]; };
+#ifdef SEEDS
+layout(std430, binding = GRASS_COMMANDS_BINDING) writeonly buffer Commands { Arrays commands[]; };
+#else
+layout(std430, binding = GRASS_COMMANDS_BINDING) writeonly buffer Commands { Elements commands[]; };
+#endif
 #ifdef PLANTS
 layout(std430, binding = GRASS_PARTS_BINDING) readonly buffer Parts { GrassPart parts[]; };
-layout(std430, binding = GRASS_PLANT_COMMANDS_BINDING) writeonly buffer PlantCommands { uint plantCommands[]; };
+layout(std430, binding = GRASS_PLANT_COMMANDS_BINDING) writeonly buffer PlantCommands { Elements plantCommands[]; };
 layout(location = 0) uniform uint partCount;
 #endif
 
@@ -21,19 +30,17 @@ void main()
 {
     uint i = gl_LocalInvocationIndex;
 #ifdef SEEDS
-    if (i == 0u) commands[0] = Command(min(counts.taken, min(grass.most, grass.room)), 1u, 0u, 0u);
+    if (i == 0u) commands[0] = Arrays(min(counts.taken, min(grass.most, grass.room)), 1u, 0u, 0u);
 #else
-    const uint vertices[GRASS_SHAPES] = uint[](15u, 7u, 3u);
-    if (i < GRASS_SHAPES) commands[i] = Command(vertices[i], min(counts.shape[i], grass.room), 0u, i * grass.room);
+    if (i < GRASS_SHAPES) {
+        uint bundles = (min(counts.shape[i], grass.room) + GRASS_BUNDLE - 1u) / GRASS_BUNDLE;
+        commands[i] = Elements(uint(grassIndices(int(i))), bundles, uint(grassFirstIndex(int(i))), 0, 0u);
+    }
 #endif
 #ifdef PLANTS
     for (; i < partCount; i += 64u) {
         GrassPart part = parts[i];
-        plantCommands[i * 5u] = part.indexCount;
-        plantCommands[i * 5u + 1u] = min(counts.plants[part.plants], grass.plantRoom);
-        plantCommands[i * 5u + 2u] = part.firstIndex;
-        plantCommands[i * 5u + 3u] = 0u;
-        plantCommands[i * 5u + 4u] = part.plants * grass.plantRoom;
+        plantCommands[i] = Elements(part.indexCount, min(counts.plants[part.plants], grass.plantRoom), part.firstIndex, 0, part.plants * grass.plantRoom);
     }
 #endif
 }

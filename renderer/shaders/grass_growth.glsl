@@ -16,6 +16,44 @@ vec4 unit4(uint bits)
     return vec4(bits & 255u, (bits >> 8u) & 255u, (bits >> 16u) & 255u, bits >> 24u) * (1.0 / 255.0);
 }
 
+vec2 jitterOf(uvec3 h) // of the cell; shares of it
+{
+    return vec2(h.xy >> 16u) * (1.0 / 65536.0);
+}
+
+GrassFound packFound(ivec2 cell, int kind, int level, bool lasts, float factor)
+{
+    GrassFound f;
+    f.cell = uint(cell.x) & 65535u | uint(cell.y) << 16u;
+    f.what = uint(kind) | uint(level) << 4u | (lasts ? 128u : 0u) | uint(factor * 255.0 + 0.5) << 8u;
+    return f;
+}
+
+ivec2 cellOf(GrassFound f)
+{
+    return ivec2(int(f.cell << 16u), int(f.cell)) >> 16;
+}
+
+int kindOf(GrassFound f)
+{
+    return int(f.what & 15u);
+}
+
+int levelOf(GrassFound f)
+{
+    return int(f.what >> 4u & 7u);
+}
+
+bool lastsOf(GrassFound f)
+{
+    return (f.what & 128u) != 0u;
+}
+
+float factorOf(GrassFound f) // of the kind's height
+{
+    return float(f.what >> 8u) * (1.0 / 128.0);
+}
+
 vec3 normalOf(ivec2 texel, vec2 f)
 {
 #ifdef WINDOWS
@@ -72,13 +110,13 @@ struct Growth {
     vec4 own, clump;  // chances
 };
 
-// `h`: of the cell; `across`: from the eye, m; `shrink`: 1 a whole plant; `spread`: how much wider it stands for others.
+// `h`: of the cell; `factor`: of the kind's height; `shrink`: 1 a whole plant; `spread`: how much wider it stands for others.
 Growth growthAt(GrassKind k, ivec2 cell, vec2 jitter, uvec3 h, float factor, float shrink, float spread)
 {
     Growth g;
     g.clump = clumpAt(cell, jitter, k.clumpSize);
     g.own = unit4(grassHash(uvec3(h.y, h.z, 9u)).y);
-    g.tall = mix(k.height.x, k.height.y, mix(g.own.x, g.clump.x, k.clump)) * factor * (255.0 / 128.0) * mix(0.4, 1.0, shrink);
+    g.tall = mix(k.height.x, k.height.y, mix(g.own.x, g.clump.x, k.clump)) * factor * mix(0.4, 1.0, shrink);
     g.wide = k.width * (0.7 + 0.6 * g.own.y) * shrink * spread;
     g.bend = vec2(0.0);
     return g;

@@ -1,5 +1,4 @@
-// What of the grass a view shows: one thread for each place of the tiles around it. What grows in a cell follows from the cell
-// alone, so it is the same in every frame, from every camera and at every resolution.
+// What of the plants that grass_find found a view shows, and how they look: one thread for each.
 #include "terrain.glsl"
 #include "view.glsl"
 #include "grass_growth.glsl"
@@ -12,11 +11,11 @@ layout(binding = COVER_UNIT) uniform MAP_TEXTURE coverMap;
 #include "hidden.glsl"
 #endif
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = GRASS_GROUP) in;
 
 layout(std430, binding = GRASS_BLADES_BINDING) writeonly buffer Blades { GrassBlade blades[]; };
 layout(std430, binding = GRASS_COUNTS_BINDING) buffer Counts { GrassCounts counts; };
-layout(std430, binding = GRASS_TILES_BINDING) readonly buffer Tiles { GrassTile tiles[]; };
+layout(std430, binding = GRASS_FOUND_BINDING) readonly buffer Found { GrassFound found[]; };
 #ifdef PLANTS
 #include "shared/instance.h"
 layout(std430, binding = GRASS_PLANTS_BINDING) writeonly buffer Plants { Instance plants[]; }; // as a view's copies
@@ -82,25 +81,14 @@ void growPlant(Growth g, GrassKind k, ivec2 cell, vec3 root)
 
 void main()
 {
-    GrassTile tile = tiles[gl_WorkGroupID.z];
-    ivec2 block = (tile.cell >> tile.level) + ivec2(gl_GlobalInvocationID.xy);
-    ivec2 cell = grassCell(block, tile.level);
+    if (gl_GlobalInvocationID.x >= min(counts.found, grass.foundRoom)) return;
+    GrassFound f = found[gl_GlobalInvocationID.x];
+    ivec2 cell = grass.eyeCell + cellOf(f);
+    int kind = kindOf(f), level = levelOf(f);
     uvec3 h = grassHash(uvec3(uint(cell.x), uint(cell.y), 1u));
-    vec2 jitter = vec2(h.xy >> 16u) * (1.0 / 65536.0);
-    vec2 across = (vec2(cell - grass.eyeCell) + jitter) * GRASS_CELL - grass.eyeRest;
-
-    float away = length(across);
-    float ends = min(grassFrom(tile.level + 1, grass.full), grass.distance);
-    if (away >= ends || away < grassFrom(tile.level, grass.full)) return;
-
-    // Which of the texels around it counts is chance, by how near each is.
-    vec2 onMap = ((vec2(cell) + jitter) * GRASS_CELL - grass.mapFrom) / grass.mapTexel;
-    ivec2 texel = ivec2(floor(onMap + unit4(h.z).xy));
-    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(grass.mapSize)))) return;
-    vec4 grown = texelFetch(grassMap, texel, 0);
-    if (grown.g + grown.b == 0.0) return;
-    int kind = kindAt(grown, (float(h.x & 65535u) + 0.5) * (1.0 / 65536.0), grass.density);
-    if (kind < 0 || covered(cell)) return;
+    vec2 jitter = jitterOf(h);
+    vec2 across = (vec2(cellOf(f)) + jitter) * GRASS_CELL - grass.eyeRest;
+    float away = length(across), factor = factorOf(f);
     GrassKind k = grass.kind[kind];
 
     vec2 onGround = (terrain.eyeRest + across) / terrain.metres;
@@ -112,16 +100,15 @@ void main()
 #endif
     float height = heightOf(ground, within);
     vec3 root = vec3(across.x, height - grass.eyeHeight, across.y);
-    float tallest = max(k.height.x, k.height.y) * grown.a * (255.0 / 128.0);
-    if (grass.looksAhead != 0 && !inView(root + vec3(0.0, tallest * 0.5, 0.0), tallest)) return; // before all that costs more
+    float tallest = max(k.height.x, k.height.y) * factor;
+    if (grass.looksAhead != 0 && !inView(root + vec3(0.0, tallest * 0.5, 0.0), tallest)) return;
     vec3 normal = normalOf(ground, within);
     if (!bears(k, height, normal)) return;
 
-    bool lasts = tile.level + 1 < GRASS_LEVELS && cell == grassCell(block >> 1, tile.level + 1);
-    float shrink = lasts ? 1.0 : 1.0 - smoothstep(kFadeFrom, 1.0, away / grassFrom(tile.level + 1, grass.full));
+    float shrink = lastsOf(f) ? 1.0 : 1.0 - smoothstep(kFadeFrom, 1.0, away / grassFrom(level + 1, grass.full));
     shrink *= 1.0 - smoothstep(kEndsFrom, 1.0, away / grass.distance);
     if (shrink <= 0.0) return;
-    Growth g = growthAt(k, cell, jitter, h, grown.a, shrink, max(1.0, away / (kFadeFrom * grass.full)));
+    Growth g = growthAt(k, cell, jitter, h, factor, shrink, max(1.0, away / (kFadeFrom * grass.full)));
 #ifdef HIDDEN
     if (hidden(root + vec3(0.0, g.tall * 0.5, 0.0), g.tall + g.wide)) return;
 #endif

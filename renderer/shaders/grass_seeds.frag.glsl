@@ -35,7 +35,7 @@ void main()
     vec3 normal = normalOf(ivec2(ground), place.xy - ground);
     if (!bears(k, place.z, normal)) return;
 
-    Growth g = growthAt(k, cell, jitter, h, grown.a, 1.0 - smoothstep(0.75, 1.0, away / grass.distance), max(1.0, sqrt(cells * 0.5)));
+    Growth g = growthAt(k, cell, jitter, h, grown.a * (255.0 / 128.0), 1.0 - smoothstep(0.75, 1.0, away / grass.distance), max(1.0, sqrt(cells * 0.5)));
     vec3 root = vec3(across.x, place.z - grass.eyeHeight, across.y);
     bendGrowth(g, k, cell, jitter, root);
     uint index = atomicAdd(counts.taken, 1u);

@@ -1,5 +1,4 @@
 // Blades of seven vertices out of seeds.
-#define SEGMENTS 3
 #include "view.glsl"
 #include "grass_blade.glsl"
 

@@ -39,6 +39,7 @@
 #define GRASS_PLANTS_BINDING 4
 #define GRASS_PARTS_BINDING 5
 #define GRASS_PLANT_COMMANDS_BINDING 6
+#define GRASS_FOUND_BINDING 7
 
 // Texture units. A pass either draws materials, or the ground, or reads the GBuffer: the first five are shared.
 #define BASE_COLOUR_UNIT 0

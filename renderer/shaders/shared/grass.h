@@ -10,6 +10,8 @@ SHARED_BEGIN
 #define GRASS_KINDS 16
 #define GRASS_LEVELS 8        // of tiles: each has a quarter of the plants of the one before
 #define GRASS_SHAPES 3        // of blades: 15, 7 and 3 vertices
+#define GRASS_BUNDLE 32       // blades that are drawn as one instance
+#define GRASS_GROUP 64        // plants that are placed together
 #define GRASS_PRESSERS 16
 
 struct GrassBlade {
@@ -34,13 +36,19 @@ struct GrassTile { // places are 1 << level cells apart
 };
 SHARED_STRUCT_END(GrassTile, 16)
 
+struct GrassFound { // a plant, before anyone knows how it looks
+    uint cell; // two 16 bits, from the eye's
+    uint what; // kind 4 bits, level 3, whether it is in the next level too 1, height's factor 8
+};
+SHARED_STRUCT_END(GrassFound, 8)
+
 struct GrassFrame {
     ivec2 eyeCell;   vec2 eyeRest;     // the cell that the eye is over, and m from its corner
     vec2 mapFrom;    uint plantRoom; int looksAhead; // world x and z of the map's texel (0, 0), m; of a kind's; 1: what is out of view is left out
     vec2 mapSize;    float mapTexel;   float eyeHeight; // texels; m; m
     float full;      float distance;   float water; int pressers; // m: to there all grow; to there some do; of the water's level
     uint most;       uint room;        float density; float shapeAngle; // plants; of a shape; share; radians of height from which 15 vertices show
-    vec2 tintScale;  vec2 unused0;     // of the ground's texels, over the size of its colours
+    vec2 tintScale;  uint foundRoom; uint unused0; // of the ground's texels, over the size of its colours; plants
     Wind wind;
     vec4 presser[GRASS_PRESSERS];      // relative to the eye, m; radius, m
     vec4 pressed[GRASS_PRESSERS / 4];  // strengths
@@ -49,11 +57,13 @@ struct GrassFrame {
 SHARED_STRUCT_END(GrassFrame, 2000)
 
 struct GrassCounts {
+    uint groups, groupsY, groupsZ; // of GRASS_GROUP threads for what was found: the arguments of an indirect dispatch
+    uint found;
     uint taken;               // plants, also those that found no room
     uint shape[GRASS_SHAPES]; // blades
     uint plants[GRASS_KINDS]; // of models
 };
-SHARED_STRUCT_END(GrassCounts, 80)
+SHARED_STRUCT_END(GrassCounts, 96)
 
 struct GrassPart { // of a model that grows, one draw
     uint firstIndex, indexCount, plants, unused0; // the place of its plants
@@ -84,6 +94,26 @@ SHARED_FUNCTION ivec2 grassCell(ivec2 block, int level)
         block = block * 2 + ivec2(int(pick & 1u), int(pick >> 1u));
     }
     return block;
+}
+
+// Along a blade of a shape.
+SHARED_FUNCTION int grassSegments(int shape)
+{
+    return shape == 0 ? 7 : shape == 1 ? 3 : 1;
+}
+
+// Of a bundle of that shape: triangles of its strips. They lie one shape after the other.
+SHARED_FUNCTION int grassIndices(int shape)
+{
+    return (grassSegments(shape) * 2 - 1) * 3 * GRASS_BUNDLE;
+}
+
+SHARED_FUNCTION int grassFirstIndex(int shape)
+{
+    int first = 0;
+    for (int s = 0; s < shape; ++s)
+        first += grassIndices(s);
+    return first;
 }
 
 // From where on a level's places grow, m.
