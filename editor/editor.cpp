@@ -8,6 +8,7 @@
 #include "editor/panels/hierarchy_panel.h"
 #include "editor/panels/history_panel.h"
 #include "editor/panels/inspector_panel.h"
+#include "editor/panels/paths_panel.h"
 #include "editor/panels/rendering_panel.h"
 #include "editor/panels/scatter_panel.h"
 #include "editor/panels/statistics_panel.h"
@@ -79,6 +80,7 @@ void Editor::addPanels()
     add(std::make_unique<RenderingPanel>(), Region::Right);
     add(std::make_unique<TerrainPanel>(), Region::Right);
     add(std::make_unique<ScatterPanel>(), Region::Right);
+    add(std::make_unique<PathsPanel>(), Region::Right);
     add(std::make_unique<TemplatesPanel>(), Region::Bottom);
     add(std::make_unique<ConsolePanel>(), Region::Bottom);
     add(std::make_unique<StatisticsPanel>(), Region::Bottom);

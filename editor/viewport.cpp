@@ -36,6 +36,7 @@ void Viewport::reset()
     m_scatterStroke.reset();
     scatterLayer = io::ScatterId::None;
     m_brushAt.reset();
+    path.reset();
     stopPlacing();
     m_tinted.clear();
     m_transforms.clear();
@@ -80,7 +81,7 @@ bool Viewport::clickDistance() const
 
 bool Viewport::busy() const
 {
-    return m_drag != Drag::None || camera.moving() || m_speedShown > 0;
+    return m_drag != Drag::None || camera.moving() || path.moving() || m_speedShown > 0;
 }
 
 std::optional<glm::dvec3> Viewport::pointUnderPointer(Editor& editor) const
@@ -148,6 +149,8 @@ void Viewport::input(Editor& editor, double seconds)
     if (m_drag != Drag::Look && camera.moving()) camera.fly({0, 0, 0}, false, seconds);
     if (m_hovered || m_drag == Drag::Look) wheel(editor);
     camera.update(seconds);
+    if (path.flying() && (m_drag == Drag::Look || pressed(Key::Escape))) path.stop(camera);
+    path.update(*editor.document(), camera, seconds);
     updateGhost(editor);
 }
 
@@ -183,6 +186,8 @@ void Viewport::pressLeft(Editor& editor)
         beginStroke(editor);
     } else if (scattering) {
         beginScatter(editor);
+    } else if (showOverlays && path.begin(*editor.document(), view(), pointer())) {
+        m_drag = Drag::PathKey;
     } else {
         m_drag = beginGizmo(editor) ? Drag::Gizmo : Drag::Click;
     }
@@ -221,6 +226,9 @@ void Viewport::hold(Editor& editor, double seconds)
         break;
     case Drag::Place:
         break;
+    case Drag::PathKey:
+        path.drag(*editor.document(), view(), pointer());
+        break;
     case Drag::Stroke:
         return holdStroke(editor, seconds);
     case Drag::Scatter:
@@ -228,7 +236,8 @@ void Viewport::hold(Editor& editor, double seconds)
     }
     if (!pressed(Key::Escape)) return;
     if (m_drag == Drag::Gizmo) endGizmo(editor, false);
-    if (m_drag == Drag::Box || m_drag == Drag::Gizmo) m_drag = Drag::None;
+    if (m_drag == Drag::PathKey) path.end(*editor.document(), false);
+    if (m_drag == Drag::Box || m_drag == Drag::Gizmo || m_drag == Drag::PathKey) m_drag = Drag::None;
 }
 
 void Viewport::release(Editor& editor)
@@ -253,6 +262,9 @@ void Viewport::release(Editor& editor)
         break;
     case Drag::Place:
         placeGhost(editor);
+        break;
+    case Drag::PathKey:
+        path.end(*editor.document(), true);
         break;
     case Drag::Stroke:
         endStroke();

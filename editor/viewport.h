@@ -5,6 +5,7 @@
 #include "editor/fly_camera.h"
 #include "editor/frame_history.h"
 #include "editor/gizmo.h"
+#include "editor/path_tool.h"
 #include "editor/panel.h"
 #include "editor/picker.h"
 #include "editor/resolution.h"
@@ -38,6 +39,7 @@ public:
     bool scattering = false;   // the left button plants
     ScatterBrush scatterBrush;
     io::ScatterId scatterLayer = io::ScatterId::None; // that it plants in
+    PathTool path;
     bool showOverlays = true;
     bool showStatistics = false; // over the picture
     bool freezeCulling = false;  // flying on, one sees what was culled then
@@ -66,7 +68,7 @@ public:
     double pictureScale() const { return m_resolution.scale(); } // below 1: coarser, to be quick enough
 
 private:
-    enum class Drag { None, Look, Orbit, Pan, Click, Box, Gizmo, Place, Stroke, Scatter };
+    enum class Drag { None, Look, Orbit, Pan, Click, Box, Gizmo, Place, Stroke, Scatter, PathKey };
 
     void drawPicture(Editor& editor);
     void chooseResolution(Editor& editor);
@@ -109,6 +111,7 @@ private:
     void overlays(Editor& editor);
     void drawGizmo() const;
     void drawBox() const;
+    void drawPathKeys(const Editor& editor) const;
     void drawCompass() const;
     void drawHints(Editor& editor) const;
     void drawFaults(Editor& editor) const;

@@ -80,6 +80,7 @@ renderer::FrameInput Viewport::frameInput(Editor& editor)
     m_frameLines = m_lines;
     addBrushLines(editor, m_frameLines);
     addScatterLines(editor, m_frameLines);
+    if (showOverlays) path.addLines(*editor.document(), m_frameLines);
     input.lines = m_frameLines;
     input.freezeCulling = freezeCulling;
     input.ids = m_drag == Drag::Click || m_drag == Drag::Box; // a box may be let go in the next frame
@@ -119,6 +120,7 @@ void Viewport::overlays(Editor& editor)
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(m_min, {m_min.x + float(m_size.x), m_min.y + float(m_size.y)}, true);
     drawGizmo();
+    drawPathKeys(editor);
     if (m_drag == Drag::Box) drawBox();
     drawCompass();
     drawHints(editor);
@@ -160,6 +162,24 @@ void Viewport::drawBox() const
         max{std::max(a.x, mouse.x), std::max(a.y, mouse.y)};
     draw.AddRectFilled(min, max, withAlpha(palette::kAccent, 0.16f));
     draw.AddRect(min, max, palette::kAccent);
+}
+
+void Viewport::drawPathKeys(const Editor& editor) const
+{
+    constexpr float kRadius = 6;
+    const auto keys = path.keysOnScreen(*editor.document(), view());
+    const auto under = m_hovered ? path.keyUnder(*editor.document(), view(), pointer()) : std::nullopt;
+    const MapPanel map{"path"};
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (!keys[i]) continue;
+        const ImVec2 at{m_min.x + float(keys[i]->x), m_min.y + float(keys[i]->y)};
+        draw.AddCircleFilled(at, kRadius, under == i ? kHot : IM_COL32(90, 200, 255, 255));
+        draw.AddCircle(at, kRadius, IM_COL32(16, 16, 18, 255), 0, 1.5f);
+        const std::string number = std::to_string(i + 1);
+        pill({at.x + 10, at.y - 12}, number, palette::kText);
+        mapRect("path_key", number, {at.x - 4, at.y - 4}, {at.x + 4, at.y + 4}, under == i);
+    }
 }
 
 // The world's axes as the camera sees them, top right.

@@ -12,9 +12,41 @@ glm::dvec3 forward(const Camera& camera)
     return {-std::sin(yaw) * std::cos(pitch), std::sin(pitch), -std::cos(yaw) * std::cos(pitch)};
 }
 
+Camera lookingAt(Camera camera, const glm::dvec3& target)
+{
+    const glm::dvec3 to = target - camera.eye;
+    const double flat = std::hypot(to.x, to.z);
+    if (flat > 0) camera.yaw = float(glm::degrees(std::atan2(-to.x, -to.z)));
+    if (flat > 0 || to.y != 0) camera.pitch = float(glm::degrees(std::atan2(to.y, flat)));
+    return camera;
+}
+
 double duration(const CameraPath& path)
 {
     return path.keys.empty() ? 0 : path.keys.back().time - path.keys.front().time;
+}
+
+double length(const CameraPath& path, std::size_t leg)
+{
+    constexpr int kPieces = 64;
+    if (leg + 1 >= path.keys.size()) return 0;
+    const double from = path.keys[leg].time - path.keys.front().time, span = path.keys[leg + 1].time - path.keys[leg].time;
+    double sum = 0;
+    glm::dvec3 last = path.keys[leg].eye;
+    for (int i = 1; i <= kPieces; ++i) {
+        const glm::dvec3 next = sample(path, from + span * i / kPieces).eye;
+        sum += glm::distance(last, next);
+        last = next;
+    }
+    return sum;
+}
+
+double length(const CameraPath& path)
+{
+    double sum = 0;
+    for (std::size_t leg = 0; leg + 1 < path.keys.size(); ++leg)
+        sum += length(path, leg);
+    return sum;
 }
 
 Camera sample(const CameraPath& path, double seconds)
@@ -47,7 +79,7 @@ Camera sample(const CameraPath& path, double seconds)
     camera.yaw = float(smooth(unwrapped(a.yaw, b.yaw), double(b.yaw), yawC, unwrapped(d.yaw, float(yawC))));
     camera.pitch = float(smooth(double(a.pitch), double(b.pitch), double(c.pitch), double(d.pitch)));
     camera.fov = float(smooth(double(a.fov), double(b.fov), double(c.fov), double(d.fov)));
-    return camera;
+    return path.lookAt ? lookingAt(camera, path.target) : camera;
 }
 
 } // namespace io

@@ -31,6 +31,8 @@ struct PathKey {
 struct CameraPath {
     std::string name;
     std::vector<PathKey> keys; // by rising time
+    bool lookAt = false;       // all along at `target`, wherever its keys look
+    glm::dvec3 target{0};      // m
     Extra extra;
     bool operator==(const CameraPath&) const = default;
 };
@@ -40,5 +42,10 @@ glm::dvec3 forward(const Camera& camera); // unit
 // The camera at `seconds` along the path: Catmull-Rom through the keys, turning the short way round.
 Camera sample(const CameraPath& path, double seconds);
 double duration(const CameraPath& path); // s
+double length(const CameraPath& path, std::size_t leg); // m, of its way from key `leg` to the next
+double length(const CameraPath& path);                  // m, of all of it
+
+// As `camera`, but turned towards a place; where it stands on it, as before.
+Camera lookingAt(Camera camera, const glm::dvec3& target);
 
 } // namespace io

@@ -284,6 +284,8 @@ void fields(auto& v, Of<CameraPath> auto& p)
 {
     v("name", p.name, Hint{});
     v("keys", p.keys, Hint{});
+    v("look_at", p.lookAt, Hint{.optional = true});
+    v("target", p.target, Hint{.min = -1e7, .max = 1e7, .unit = "m", .optional = true});
 }
 
 void fields(auto& v, Of<LightSource> auto& l)

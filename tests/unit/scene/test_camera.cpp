@@ -43,6 +43,29 @@ TEST(CameraPath, StaysAtItsEndsOutsideItsTime)
     EXPECT_EQ(sample(path(), 99).eye, sample(path(), 3).eye);
 }
 
+TEST(CameraPath, LooksAtItsTargetAllAlong)
+{
+    CameraPath p = path();
+    p.lookAt = true;
+    p.target = {3, 40, -7};
+    for (double t = 0; t <= 3; t += 0.25) {
+        const Camera c = sample(p, t);
+        EXPECT_NEAR(glm::dot(forward(c), glm::normalize(p.target - c.eye)), 1, 1e-9) << t;
+    }
+    p.target = sample(p, 1).eye; // it stands on it
+    EXPECT_TRUE(std::isfinite(sample(p, 1).yaw));
+}
+
+TEST(CameraPath, ItsLengthIsThatOfItsLegs)
+{
+    CameraPath line;
+    line.keys = {{.time = 0, .eye = {0, 0, 0}}, {.time = 1, .eye = {10, 0, 0}}, {.time = 7, .eye = {20, 0, 0}}};
+    EXPECT_NEAR(length(line, 0), 10, 1e-9);
+    EXPECT_NEAR(length(line), 20, 1e-9);
+    EXPECT_EQ(length(line, 2), 0);
+    EXPECT_GE(length(path()), 15 - 1e-9); // no way is shorter than the straight one
+}
+
 TEST(CameraPath, WithoutOrWithOneKeyIsStill)
 {
     EXPECT_EQ(duration(CameraPath{}), 0);

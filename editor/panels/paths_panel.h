@@ -1,0 +1,22 @@
+// Camera paths panel: flights through a world: their keys, how fast they go, where they look, and a look along them.
+#pragma once
+
+#include "editor/panel.h"
+#include "io/scene/camera.h"
+
+namespace editor {
+
+class PathsPanel final : public Panel {
+public:
+    PathsPanel() : Panel{"paths", Icon::Camera} {}
+    void draw(Editor& editor) override;
+
+private:
+    void list(Editor& editor);
+    void keys(Editor& editor, const io::CameraPath& path);
+    void pace(Editor& editor, const io::CameraPath& path);
+    void aim(Editor& editor, const io::CameraPath& path);
+    void preview(Editor& editor, const io::CameraPath& path);
+};
+
+} // namespace editor
