@@ -88,6 +88,8 @@ io::Result<Player::Progress> Player::play(const Step& step, ImGuiIO& io)
         return setKey(io, one->code, one->down), Progress::FrameDone;
     if (const auto* one = std::get_if<step::Text>(&step.action))
         return io.AddInputCharactersUTF8(one->text.c_str()), Progress::FrameDone;
+    if (const auto* one = std::get_if<step::Pad>(&step.action))
+        return m_stage.pad(*one), Progress::FrameDone;
     if (const auto* one = std::get_if<step::Wheel>(&step.action)) {
         io.MouseWheelH += float(one->by.x);
         io.MouseWheel += float(one->by.y);

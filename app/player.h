@@ -15,6 +15,7 @@ public:
         std::function<io::Status(const std::filesystem::path&)> shot; // empty: the next file of --shot
         std::function<io::Status(const std::filesystem::path&)> uiMap;
         std::function<void(glm::ivec2)> resize;
+        std::function<void(const step::Pad&)> pad = {};
     };
     Player(std::vector<Step> steps, std::string name, Stage stage);
 

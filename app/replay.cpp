@@ -4,7 +4,6 @@
 #include "io/files/atomic_file.h"
 #include "io/files/json.h"
 
-#include <GLFW/glfw3.h>
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
@@ -12,45 +11,9 @@
 namespace app {
 namespace {
 
-// Letters, digits and F1 to F12 are named by themselves.
-struct KeyName {
-    std::string_view name;
-    int code;
-};
-constexpr KeyName kKeys[] = {{"Space", GLFW_KEY_SPACE},
-                             {"Escape", GLFW_KEY_ESCAPE},
-                             {"Enter", GLFW_KEY_ENTER},
-                             {"Tab", GLFW_KEY_TAB},
-                             {"Backspace", GLFW_KEY_BACKSPACE},
-                             {"Insert", GLFW_KEY_INSERT},
-                             {"Delete", GLFW_KEY_DELETE},
-                             {"Right", GLFW_KEY_RIGHT},
-                             {"Left", GLFW_KEY_LEFT},
-                             {"Down", GLFW_KEY_DOWN},
-                             {"Up", GLFW_KEY_UP},
-                             {"PageUp", GLFW_KEY_PAGE_UP},
-                             {"PageDown", GLFW_KEY_PAGE_DOWN},
-                             {"Home", GLFW_KEY_HOME},
-                             {"End", GLFW_KEY_END},
-                             {"Shift", GLFW_KEY_LEFT_SHIFT},
-                             {"Ctrl", GLFW_KEY_LEFT_CONTROL},
-                             {"Alt", GLFW_KEY_LEFT_ALT},
-                             {"RightShift", GLFW_KEY_RIGHT_SHIFT},
-                             {"RightCtrl", GLFW_KEY_RIGHT_CONTROL},
-                             {"RightAlt", GLFW_KEY_RIGHT_ALT},
-                             {"Comma", GLFW_KEY_COMMA},
-                             {"Minus", GLFW_KEY_MINUS},
-                             {"Period", GLFW_KEY_PERIOD},
-                             {"Slash", GLFW_KEY_SLASH}};
-
 constexpr std::array<std::string_view, 3> kButtons{"left", "right", "middle"};
 constexpr int kLongestWait = 100'000; // frames
 constexpr int kMostSteps = 10'000;
-
-bool sameWord(std::string_view a, std::string_view b)
-{
-    return std::ranges::equal(a, b, [](char x, char y) { return std::tolower(x) == std::tolower(y); });
-}
 
 // Reads one line's object into steps. The first fault is kept; what follows it does not matter.
 class LineReader {
@@ -68,7 +31,7 @@ private:
         std::string_view name;
         Reader reader;
     };
-    static const std::array<Kind, 14> kKinds;
+    static const std::array<Kind, 15> kKinds;
 
     void add(Action action) { m_steps.push_back({std::move(action), m_line}); }
     void wrong(std::string what)
@@ -100,6 +63,7 @@ private:
     void resize(const io::Value& value);
     void shot(const io::Value& value) { add(step::Shot{value.asBool() ? std::string{} : text(value, "shot")}); }
     void uiMap(const io::Value& value) { add(step::UiMap{text(value, "uimap")}); }
+    void pad(const io::Value& value);
     std::vector<int> keys(const io::Value& value);
 
     const io::Value& m_object;
@@ -108,7 +72,7 @@ private:
     std::string m_fault;
 };
 
-const std::array<LineReader::Kind, 14> LineReader::kKinds{{{"move", &LineReader::move},
+const std::array<LineReader::Kind, 15> LineReader::kKinds{{{"move", &LineReader::move},
                                                            {"press", &LineReader::pressButton},
                                                            {"release", &LineReader::releaseButton},
                                                            {"click", &LineReader::click},
@@ -121,7 +85,8 @@ const std::array<LineReader::Kind, 14> LineReader::kKinds{{{"move", &LineReader:
                                                            {"wait", &LineReader::wait},
                                                            {"size", &LineReader::resize},
                                                            {"shot", &LineReader::shot},
-                                                           {"uimap", &LineReader::uiMap}}};
+                                                           {"uimap", &LineReader::uiMap},
+                                                           {"pad", &LineReader::pad}}};
 
 std::string LineReader::read()
 {
@@ -131,7 +96,7 @@ std::string LineReader::read()
     const auto kind = std::ranges::find(kKinds, name, &Kind::name);
     if (kind == kKinds.end()) return fmt::format("unknown event \"{}\"; docs/replay.md lists them", name);
     for (std::size_t i = 1; i < members->size(); ++i)
-        if (const std::string& extra = (*members)[i].first; extra != "button" && extra != "mods")
+        if (const std::string& extra = (*members)[i].first; extra != "button" && extra != "mods" && (name != "pad" || extra != "to"))
             return fmt::format("\"{}\" does not belong to \"{}\"", extra, name);
     (this->*kind->reader)(value);
     return m_fault;
@@ -214,7 +179,7 @@ std::vector<int> LineReader::modsOf(const io::Value& from)
     if (!list->asArray()) return wrong("\"mods\" wants a list, as [\"ctrl\", \"shift\"]"), result;
     for (const io::Value& mod : *list->asArray()) {
         const std::string* name = mod.asString();
-        const bool known = name && (sameWord(*name, "ctrl") || sameWord(*name, "shift") || sameWord(*name, "alt"));
+        const bool known = name && (editor::sameWord(*name, "ctrl") || editor::sameWord(*name, "shift") || editor::sameWord(*name, "alt"));
         if (!known) return wrong("a modifier is \"ctrl\", \"shift\" or \"alt\""), result;
         result.push_back(*keyNamed(*name));
     }
@@ -286,6 +251,14 @@ void LineReader::resize(const io::Value& value)
     add(step::Resize{glm::ivec2{size}});
 }
 
+void LineReader::pad(const io::Value& value)
+{
+    const io::Value* to = m_object.find("to");
+    const double share = to ? number(*to, "to") : 1;
+    if (share < 0 || share > 1) wrong("\"to\" wants a number from 0 to 1");
+    add(step::Pad{"pad " + text(value, "pad"), share});
+}
+
 } // namespace
 
 io::Result<std::vector<Step>> parseReplay(std::string_view text, const std::string& where)
@@ -309,26 +282,6 @@ io::Result<std::vector<Step>> readReplay(const std::filesystem::path& file)
     const auto text = io::readFile(file);
     if (!text) return text.error();
     return parseReplay(*text, file.string());
-}
-
-std::optional<int> keyNamed(std::string_view name)
-{
-    if (name.size() == 1 && std::isalnum(static_cast<unsigned char>(name[0]))) return std::toupper(name[0]);
-    if (name.size() > 1 && std::toupper(name[0]) == 'F')
-        if (const auto number = toNumber<int>(name.substr(1)); number && *number >= 1 && *number <= 12)
-            return GLFW_KEY_F1 + *number - 1;
-    for (const KeyName& key : kKeys)
-        if (sameWord(key.name, name)) return key.code;
-    return std::nullopt;
-}
-
-std::string nameOfKey(int code)
-{
-    if ((code >= '0' && code <= '9') || (code >= 'A' && code <= 'Z')) return std::string(1, char(code));
-    if (code >= GLFW_KEY_F1 && code <= GLFW_KEY_F12) return fmt::format("F{}", code - GLFW_KEY_F1 + 1);
-    for (const KeyName& key : kKeys)
-        if (key.code == code) return std::string{key.name};
-    return {};
 }
 
 } // namespace app

@@ -2,6 +2,7 @@
 // ImGui. A step that touches the mouse or the keyboard takes a frame of its own, as a hand would.
 #pragma once
 
+#include "editor/key_names.h"
 #include "io/base/result.h"
 
 #include <filesystem>
@@ -41,6 +42,10 @@ struct Key {
 struct Text {
     std::string text;
 };
+struct Pad { // a button or half of an axis
+    std::string name; // as controls have it: "pad left -y"
+    double share = 1; // how far; 0 lets go
+};
 struct Wait {
     int frames = 1;
 };
@@ -55,7 +60,7 @@ struct UiMap {
 };
 } // namespace step
 
-using Action = std::variant<step::Move, step::Button, step::Wheel, step::Key, step::Text, step::Wait, step::Resize,
+using Action = std::variant<step::Move, step::Button, step::Wheel, step::Key, step::Text, step::Pad, step::Wait, step::Resize,
                             step::Shot, step::UiMap>;
 struct Step {
     Action action;
@@ -66,7 +71,7 @@ struct Step {
 io::Result<std::vector<Step>> parseReplay(std::string_view text, const std::string& where);
 io::Result<std::vector<Step>> readReplay(const std::filesystem::path& file);
 
-std::optional<int> keyNamed(std::string_view name); // "S" "7" "F5" "Delete" "Shift"
-std::string nameOfKey(int code);                    // empty: it has none
+using editor::keyNamed;
+using editor::nameOfKey;
 
 } // namespace app

@@ -1,6 +1,7 @@
 #include "app/window.h"
 
 #include <GLFW/glfw3.h>
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace app {
@@ -108,6 +109,19 @@ bool Window::shown() const
 std::vector<std::filesystem::path> Window::takeDropped()
 {
     return std::exchange(m_dropped, {});
+}
+
+play::Held Window::held() const
+{
+    std::vector<PadState> pads;
+    for (int id = GLFW_JOYSTICK_1; id <= GLFW_JOYSTICK_LAST && glfwGetWindowAttrib(m_window, GLFW_FOCUSED); ++id) {
+        GLFWgamepadstate state;
+        if (!glfwGetGamepadState(id, &state)) continue; // none there, or one of which it is not known what its axes are
+        PadState& pad = pads.emplace_back();
+        std::ranges::transform(state.buttons, pad.buttons.begin(), [](unsigned char button) { return button == GLFW_PRESS; });
+        std::ranges::copy(state.axes, pad.axes.begin());
+    }
+    return heldOn(pads);
 }
 
 void Window::setTitle(const std::string& title)

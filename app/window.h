@@ -1,6 +1,7 @@
 // A window with its OpenGL 4.5 core context (GLFW), and what the desktop tells about it.
 #pragma once
 
+#include "app/pads.h"
 #include "io/base/result.h"
 
 #include <cstdint>
@@ -14,7 +15,7 @@ struct GLFWwindow;
 
 namespace app {
 
-class Window {
+class Window : public Pads {
 public:
     struct Options {
         std::string title = "Wold";
@@ -22,7 +23,7 @@ public:
         bool visible = true;
     };
     static io::Result<std::unique_ptr<Window>> create(Options options);
-    ~Window();
+    ~Window() override;
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
@@ -32,6 +33,8 @@ public:
     bool closeAsked();                                // true once for each time the person asks to close it
     bool shown() const;                               // neither minimised nor without area
     std::vector<std::filesystem::path> takeDropped(); // files dropped on it since the last call
+
+    play::Held held() const override; // of pads, while the window has the keyboard
 
     void setTitle(const std::string& title);
     void setPointerHidden(bool hidden); // hidden, it moves without bound; the position is kept

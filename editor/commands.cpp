@@ -185,6 +185,20 @@ template class SwapPart<std::vector<io::Camera>>;
 template class SwapPart<std::vector<io::CameraPath>>;
 template class SwapPart<std::vector<io::ScatterLayer>>;
 
+io::Changes SwapControls::swap(io::World& world)
+{
+    std::swap(world.project.controls, m_other);
+    return {};
+}
+
+std::size_t SwapControls::bytes() const
+{
+    std::size_t bytes = sizeof *this + heldBy(m_other);
+    for (const io::Control& control : m_other)
+        bytes += heldBy(control.action) + heldBy(control.by);
+    return bytes;
+}
+
 io::Changes SwapInstances::swap(io::World& world)
 {
     io::Changes changes;

@@ -65,6 +65,19 @@ using SwapCameras = SwapPart<std::vector<io::Camera>>;
 using SwapPaths = SwapPart<std::vector<io::CameraPath>>;
 using SwapScatterLayers = SwapPart<std::vector<io::ScatterLayer>>;
 
+// What makes the player of the project do something.
+class SwapControls final : public Command {
+public:
+    SwapControls(std::string name, std::vector<io::Control> controls) : Command{std::move(name)}, m_other{std::move(controls)} {}
+    io::Changes swap(io::World& world) override;
+    bool changesNothing(const io::World& world) const override { return world.project.controls == m_other; }
+    std::size_t bytes() const override;
+    bool absorb(Command& later) override { return dynamic_cast<SwapControls*>(&later) != nullptr; }
+
+private:
+    std::vector<io::Control> m_other;
+};
+
 // Instances of scatter layers, by the tiles that are touched: a stroke, a filled layer, one that was moved. A tile without a
 // value holds none.
 class SwapInstances final : public Command {

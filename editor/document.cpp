@@ -168,6 +168,11 @@ void setInstances(Document& document, std::string name, std::vector<SwapInstance
     document.run(std::make_unique<SwapInstances>(std::move(name), std::move(tiles)));
 }
 
+void setControls(Document& document, std::string name, std::vector<io::Control> controls)
+{
+    document.run(std::make_unique<SwapControls>(std::move(name), std::move(controls)));
+}
+
 void setTemplate(Document& document, std::string name, io::TemplateId id, std::optional<io::Template> value)
 {
     document.run(std::make_unique<SwapTemplate>(std::move(name), id, std::move(value)));

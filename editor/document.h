@@ -149,6 +149,7 @@ void setCover(Document& document, std::string name, std::shared_ptr<const io::Co
 void setGrass(Document& document, std::string name, io::Grass grass);
 void setGrassMap(Document& document, std::string name, std::shared_ptr<const io::GrassMap> map, const io::TexelRect& changed);
 void setCameras(Document& document, std::string name, std::vector<io::Camera> cameras);
+void setControls(Document& document, std::string name, std::vector<io::Control> controls);
 void setPaths(Document& document, std::string name, std::vector<io::CameraPath> paths);
 void setScatterLayers(Document& document, std::string name, std::vector<io::ScatterLayer> layers);
 void removeScatterLayer(Document& document, std::string name, io::ScatterId id); // with its instances

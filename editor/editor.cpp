@@ -11,6 +11,7 @@
 #include "editor/panels/paths_panel.h"
 #include "editor/panels/rendering_panel.h"
 #include "editor/panels/scatter_panel.h"
+#include "editor/panels/sound_panel.h"
 #include "editor/panels/statistics_panel.h"
 #include "editor/panels/templates_panel.h"
 #include "editor/panels/terrain_panel.h"
@@ -85,6 +86,7 @@ void Editor::addPanels()
     add(std::make_unique<ConsolePanel>(), Region::Bottom);
     add(std::make_unique<StatisticsPanel>(), Region::Bottom);
     add(std::make_unique<HistoryPanel>(), Region::Bottom);
+    add(std::make_unique<SoundPanel>(), Region::Bottom);
 }
 
 void Editor::restoreSettings()
@@ -94,6 +96,7 @@ void Editor::restoreSettings()
     const io::Value* animate = m_savedSettings.find("animate");
     if (const bool* on = animate ? animate->asBool() : nullptr) m_animates = *on;
     if (const io::Value* brush = m_savedSettings.find("brush")) restoreBrush(m_viewport.brush, *brush);
+    if (const io::Value* heard = m_savedSettings.find("sound")) restore(sound, *heard);
     const io::Value* follow = m_savedSettings.find("objects_follow");
     if (const bool* on = follow ? follow->asBool() : nullptr) m_viewport.objectsFollow = *on;
 }
@@ -104,6 +107,7 @@ void Editor::saveLayout()
     settings["layout"] = toValue(m_workspace.layout());
     if (m_animates) settings["animate"] = *m_animates;
     settings["brush"] = brushSettings(m_viewport.brush);
+    settings["sound"] = toValue(sound);
     settings["objects_follow"] = m_viewport.objectsFollow;
     if (settings == m_savedSettings) return;
     m_savedSettings = settings;
@@ -263,6 +267,7 @@ void Editor::follow()
     const io::Changes changes = m_document->takeChanges();
     if (changes.none()) return;
     m_quiet = 0;
+    m_host.worldChanged(changes);
     m_selection.follow(m_document->scene(), changes);
     m_picker.update(m_document->scene(), m_document->assets(), changes);
     if (m_renderer) m_renderer->update(m_document->scene(), m_document->assets(), changes);
@@ -283,6 +288,7 @@ void Editor::frame(double seconds)
     closeMenusByEscape();
     drawWindow();
     m_dialogs.draw(*this);
+    m_controlsDialog.draw(*this);
     m_groundDialogs.draw(*this);
     m_loading.draw();
     if (auto opened = m_loading.finished()) adoptOpened(std::move(*opened));
@@ -296,7 +302,7 @@ void Editor::frame(double seconds)
 // ImGui does this by itself only with its keyboard navigation, whose keys are ours.
 void Editor::closeMenusByEscape()
 {
-    if (!pressed(Key::Escape) || m_dialogs.any() || m_groundDialogs.any() || ImGui::GetIO().WantTextInput) return;
+    if (!pressed(Key::Escape) || m_dialogs.any() || m_controlsDialog.any() || m_groundDialogs.any() || ImGui::GetIO().WantTextInput) return;
     if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, true);
     else if (!m_viewport.sculpting && !m_viewport.scattering && m_viewport.placing() == io::TemplateId::None) m_live.stopTurning();
 }
@@ -362,7 +368,7 @@ double Editor::nextFrameIn() const
     if (m_document && m_renderer && m_renderer->stats().gathering) return 0; // the picture is still becoming smoother
     double next = m_toasts.nextChange();
     if (drifts()) next = std::min({next, 1 / m_host.frameRate(), kRest});
-    if (m_loading.busy() || m_groundDialogs.working() || m_plantsWork.busy()) next = std::min(next, kProgress);
+    if (m_controlsDialog.listening() || m_loading.busy() || m_groundDialogs.working() || m_plantsWork.busy()) next = std::min(next, kProgress);
     if (ImGui::GetIO().WantTextInput) next = std::min(next, kBlink);
     return next;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "editor/actions.h"
+#include "editor/dialogs/controls_dialog.h"
 #include "editor/dialogs/dialogs.h"
 #include "editor/dialogs/ground_dialogs.h"
 #include "editor/document.h"
@@ -13,6 +14,7 @@
 #include "editor/picker.h"
 #include "editor/scatter_work.h"
 #include "editor/selection.h"
+#include "editor/sound_settings.h"
 #include "editor/toasts.h"
 #include "editor/viewport.h"
 #include "editor/workspace.h"
@@ -69,6 +71,7 @@ public:
     Workspace& workspace() { return m_workspace; }
     Actions& actions() { return m_actions; }
     Dialogs& dialogs() { return m_dialogs; }
+    ControlsDialog& controlsDialog() { return m_controlsDialog; }
     GroundDialogs& groundDialogs() { return m_groundDialogs; }
     Toasts& toasts() { return m_toasts; }
     LiveEnvironment& live() { return m_live; }
@@ -77,6 +80,7 @@ public:
 
     renderer::Settings renderSettings;
     renderer::Show show = renderer::Show::Final;
+    SoundSettings sound;
 
     // Opens an undo step that lasts until the widget in use is let go; `what` tells one widget from another.
     void beginEdit(const std::string& what, std::string name);
@@ -126,6 +130,7 @@ private:
     std::vector<std::unique_ptr<Panel>> m_panels;
     Actions m_actions;
     Dialogs m_dialogs;
+    ControlsDialog m_controlsDialog;
     GroundDialogs m_groundDialogs;
     Toasts m_toasts;
     LiveEnvironment m_live;

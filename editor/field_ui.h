@@ -17,6 +17,7 @@ struct FieldUiOptions {
     std::vector<bool> mixed;                           // by place; empty: none is
     std::string filter;                                // lowered: only rows that hold each word of it
     std::function<bool(std::string_view key)> enabled; // none: all are
+    std::function<void(std::string_view key)> lists; // draws what a list holds, in its place; none: it is left out
     std::function<std::vector<std::string>(std::string_view key)> files; // that a text may name; none: it is typed
 };
 
@@ -48,6 +49,8 @@ public:
             if (!numbers(key, all, T::length(), hint, false)) return;
             for (int i = 0; i < T::length(); ++i)
                 value[i] = typename T::value_type(all[i]);
+        } else if constexpr (requires { value.emplace_back(); }) {
+            if (m_options.lists && m_options.filter.empty()) m_options.lists(m_options.prefix + m_path + key);
         }
     }
 

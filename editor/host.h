@@ -1,7 +1,9 @@
 // Host: what the window asks of the program around it. The clipboard and the keyboard go through ImGui.
 #pragma once
 
+#include "editor/held_controls.h"
 #include "io/base/value.h"
+#include "io/scene/changes.h"
 
 #include <filesystem>
 #include <string>
@@ -38,6 +40,11 @@ public:
 
     // Walks through the open world from the view's camera, or from its start marker, until the person comes back.
     virtual void play(bool fromMarker) { (void)fromMarker; }
+
+    virtual Held padsHeld() const { return {}; } // buttons and sticks of game pads
+
+    // The open world has changed, or is another one: for what else follows it.
+    virtual void worldChanged(const io::Changes& changes) { (void)changes; }
 
     virtual std::vector<std::filesystem::path> shippedWorlds() const { return {}; } // for the start page
 

@@ -7,6 +7,20 @@
 namespace editor {
 namespace {
 
+void speaker(const Pen& p)
+{
+    p.path({{1.8f, 6}, {4.6f, 6}, {8.2f, 2.8f}, {8.2f, 13.2f}, {4.6f, 10}, {1.8f, 10}}, true);
+    p.arc(8, 8, 3.4f, -45, 45);
+    p.arc(8, 8, 6.2f, -45, 45);
+}
+
+void pad(const Pen& p)
+{
+    p.path({{4.6f, 4}, {11.4f, 4}, {13.6f, 6}, {14.6f, 12}, {12.6f, 12.6f}, {10, 10}, {6, 10}, {3.4f, 12.6f}, {1.4f, 12}, {2.4f, 6}}, true);
+    p.line(4.4f, 7, 7, 7), p.line(5.7f, 5.7f, 5.7f, 8.3f);
+    p.disc(10.8f, 7, 1);
+}
+
 void page(const Pen& p)
 {
     p.path({{3.5f, 1.8f}, {9.5f, 1.8f}, {12.8f, 5}, {12.8f, 14.2f}, {3.5f, 14.2f}}, true);
@@ -386,6 +400,13 @@ void strokes(const Pen& p, Icon icon)
         break;
     case Icon::Reset:
         return backArrow(p);
+    case Icon::Speaker:
+        return speaker(p);
+    case Icon::Pad:
+        return pad(p);
+    case Icon::Down:
+        p.line(8, 2.4f, 8, 13), p.path({{3.6f, 8.6f}, {8, 13}, {12.4f, 8.6f}});
+        break;
     }
 }
 

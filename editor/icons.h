@@ -52,7 +52,10 @@ enum class Icon {
     Chart,
     Tree,
     Check,
-    Reset
+    Reset,
+    Speaker,
+    Pad,
+    Down
 };
 
 void drawIcon(ImDrawList& draw, Icon icon, ImVec2 topLeft, float size, ImU32 colour);

@@ -37,6 +37,8 @@ void Viewport::reset()
     scatterLayer = io::ScatterId::None;
     m_brushAt.reset();
     path.reset();
+    m_soundHovered = {};
+    m_soundDragged.reset();
     stopPlacing();
     m_tinted.clear();
     m_transforms.clear();
@@ -189,7 +191,7 @@ void Viewport::pressLeft(Editor& editor)
     } else if (showOverlays && path.begin(*editor.document(), view(), pointer())) {
         m_drag = Drag::PathKey;
     } else {
-        m_drag = beginGizmo(editor) ? Drag::Gizmo : Drag::Click;
+        m_drag = beginSound(editor) ? Drag::Sound : beginGizmo(editor) ? Drag::Gizmo : Drag::Click; // the smaller handles first
     }
 }
 
@@ -224,6 +226,9 @@ void Viewport::hold(Editor& editor, double seconds)
     case Drag::Gizmo:
         dragGizmo(editor);
         break;
+    case Drag::Sound:
+        if (clickDistance()) dragSound(editor);
+        break;
     case Drag::Place:
         break;
     case Drag::PathKey:
@@ -236,8 +241,9 @@ void Viewport::hold(Editor& editor, double seconds)
     }
     if (!pressed(Key::Escape)) return;
     if (m_drag == Drag::Gizmo) endGizmo(editor, false);
+    if (m_drag == Drag::Sound) endSound(editor, false);
     if (m_drag == Drag::PathKey) path.end(*editor.document(), false);
-    if (m_drag == Drag::Box || m_drag == Drag::Gizmo || m_drag == Drag::PathKey) m_drag = Drag::None;
+    if (m_drag == Drag::Box || m_drag == Drag::Gizmo || m_drag == Drag::Sound || m_drag == Drag::PathKey) m_drag = Drag::None;
 }
 
 void Viewport::release(Editor& editor)
@@ -259,6 +265,9 @@ void Viewport::release(Editor& editor)
         break;
     case Drag::Gizmo:
         endGizmo(editor, true);
+        break;
+    case Drag::Sound:
+        endSound(editor, true);
         break;
     case Drag::Place:
         placeGhost(editor);
@@ -300,7 +309,8 @@ void Viewport::updateHover(Editor& editor)
     refreshSelectionShown(editor);
     if (m_hovered && gizmoShown && !sculpting && !scattering && m_placing == io::TemplateId::None && !m_transforms.empty())
         if (const auto frame = gizmo.frame(m_transforms)) handle = gizmo.hit(view(), *frame, pointer());
-    gizmo.hover(handle);
+    hoverSound(editor);
+    gizmo.hover(m_soundHovered.kind == SoundHandle::Kind::None ? handle : GizmoHandle::None);
 }
 
 } // namespace editor

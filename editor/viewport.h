@@ -11,6 +11,7 @@
 #include "editor/resolution.h"
 #include "editor/scatter_brush.h"
 #include "editor/selection.h"
+#include "editor/sound_shape.h"
 #include "editor/stroke.h"
 #include "renderer/renderer.h"
 
@@ -68,7 +69,12 @@ public:
     double pictureScale() const { return m_resolution.scale(); } // below 1: coarser, to be quick enough
 
 private:
-    enum class Drag { None, Look, Orbit, Pan, Click, Box, Gizmo, Place, Stroke, Scatter, PathKey };
+    enum class Drag { None, Look, Orbit, Pan, Click, Box, Gizmo, Sound, Place, Stroke, Scatter, PathKey };
+    struct ShownSound {
+        io::TemplateId id = io::TemplateId::None;
+        SoundFrame frame;
+        io::SoundSource sound;
+    };
 
     void drawPicture(Editor& editor);
     void chooseResolution(Editor& editor);
@@ -87,6 +93,12 @@ private:
     bool beginGizmo(Editor& editor);
     void dragGizmo(Editor& editor);
     void endGizmo(Editor& editor, bool keep);
+    std::optional<ShownSound> soundShown(Editor& editor) const;
+    void hoverSound(Editor& editor);
+    bool beginSound(Editor& editor);
+    void dragSound(Editor& editor);
+    void endSound(Editor& editor, bool keep);
+    void drawSound(Editor& editor) const;
     void openContextMenu(Editor& editor);
     void contextMenu(Editor& editor);
 
@@ -137,6 +149,9 @@ private:
     float m_anchorYaw = 0;
     std::optional<float> m_yaw;
     std::uint64_t m_seed = 1;
+
+    SoundHandle m_soundHovered;                // or in hand
+    std::optional<ShownSound> m_soundDragged; // as it was at the beginning
 
     std::optional<Stroke> m_stroke;
     std::optional<ScatterStroke> m_scatterStroke;

@@ -18,6 +18,8 @@ constexpr ImU32 kAxes[] = {palette::kRed, palette::kGreen, palette::kBlue};
 constexpr ImU32 kNeutral = IM_COL32(225, 225, 232, 255);
 constexpr ImU32 kHot = IM_COL32(255, 214, 92, 255);
 constexpr glm::vec4 kLampReach{1, 0.85f, 0.4f, 0.6f}; // sRGB
+constexpr glm::vec4 kSoundReach{0.36f, 0.84f, 0.78f, 0.55f};
+constexpr glm::vec4 kTriggerReach{1, 0.55f, 0.35f, 0.8f};
 constexpr ImU32 kPill = IM_COL32(18, 18, 21, 190);
 
 ImU32 colourOf(const GizmoShape& shape)
@@ -61,6 +63,18 @@ std::string amountText(const Gizmo& gizmo)
     if (gizmo.mode == GizmoMode::Translate) return trf("viewport.moved", by.x, by.y, by.z);
     if (gizmo.mode == GizmoMode::Rotate) return trf("viewport.rotated", by.x);
     return trf("viewport.scaled", by.x, by.y, by.z);
+}
+
+// How far what a copy carries reaches: its lamp, its sound, its trigger.
+void addReaches(std::vector<renderer::Line>& lines, const io::Object& object, const io::Template& value)
+{
+    if (const auto lamp = renderer::lampOf(object, value.light)) renderer::addLamp(lines, *lamp, kLampReach);
+    if (!value.sound.file.empty()) renderer::addSphere(lines, soundPlace(object, value.sound), double(value.sound.radius), kSoundReach);
+    const glm::dvec3 half = glm::dvec3{value.trigger.size} * glm::abs(glm::dvec3{object.transform.scale}) / 2.0;
+    if (value.trigger.shape == io::TriggerShape::Sphere) renderer::addSphere(lines, object.transform.position, half.x, kTriggerReach);
+    if (value.trigger.shape != io::TriggerShape::Box) return;
+    const glm::dmat3 axes = glm::mat3_cast(io::orientation(object.transform.rotation));
+    renderer::addBox(lines, object.transform.position, {axes[0] * half.x, axes[1] * half.y, axes[2] * half.z}, kTriggerReach);
 }
 
 } // namespace
@@ -108,7 +122,7 @@ void Viewport::refreshSelectionShown(Editor& editor)
         const io::Object* object = document.scene().find(id);
         if (!object) continue;
         if (const io::Template* value = document.scene().find(object->templateId))
-            if (const auto lamp = renderer::lampOf(*object, value->light)) renderer::addLamp(m_lines, *lamp, kLampReach);
+            addReaches(m_lines, *object, *value);
         if (object->templateId != io::TemplateId::None) continue;
         if (const io::WorldBox box = boundsOf(document, {&id, 1}); !box.empty())
             renderer::addBox(m_lines, box, {0.62f, 0.47f, 1.0f, 0.55f});
@@ -120,6 +134,7 @@ void Viewport::overlays(Editor& editor)
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw.PushClipRect(m_min, {m_min.x + float(m_size.x), m_min.y + float(m_size.y)}, true);
     drawGizmo();
+    drawSound(editor);
     drawPathKeys(editor);
     if (m_drag == Drag::Box) drawBox();
     drawCompass();

@@ -81,6 +81,18 @@ void addRing(std::vector<Line>& lines, const io::WorldBox& box, const glm::vec4&
         lines.push_back({.from = corners[i], .to = corners[(i + 1) % corners.size()], .colour = colour});
 }
 
+// Around a middle, through the ends of two radii.
+void addCircle(std::vector<Line>& lines, const glm::dvec3& middle, const glm::dvec3& u, const glm::dvec3& v, const glm::vec4& colour)
+{
+    constexpr int kSegments = 48;
+    const auto at = [&](int i) {
+        const double angle = 2 * std::numbers::pi * i / kSegments;
+        return middle + u * std::cos(angle) + v * std::sin(angle);
+    };
+    for (int i = 0; i < kSegments; ++i)
+        lines.push_back({.from = at(i), .to = at(i + 1), .colour = colour});
+}
+
 } // namespace
 
 void addBox(std::vector<Line>& lines, const io::WorldBox& box, const glm::vec4& colour)
@@ -93,32 +105,33 @@ void addBox(std::vector<Line>& lines, const io::WorldBox& box, const glm::vec4& 
             if (!(i & bit)) lines.push_back({.from = corner(i), .to = corner(i | bit), .colour = colour});
 }
 
+void addBox(std::vector<Line>& lines, const glm::dvec3& middle, const glm::dmat3& halfAxes, const glm::vec4& colour)
+{
+    const auto corner = [&](int i) { return middle + halfAxes * glm::dvec3{i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1}; };
+    for (int i = 0; i < 8; ++i)
+        for (const int bit : {1, 2, 4})
+            if (!(i & bit)) lines.push_back({.from = corner(i), .to = corner(i | bit), .colour = colour});
+}
+
+void addSphere(std::vector<Line>& lines, const glm::dvec3& middle, double radius, const glm::vec4& colour)
+{
+    const glm::dvec3 x{radius, 0, 0}, y{0, radius, 0}, z{0, 0, radius};
+    addCircle(lines, middle, x, y, colour);
+    addCircle(lines, middle, y, z, colour);
+    addCircle(lines, middle, z, x, colour);
+}
+
 void addLamp(std::vector<Line>& lines, const Lamp& lamp, const glm::vec4& colour)
 {
-    constexpr int kSegments = 48;
-    const auto circle = [&](const glm::dvec3& middle, const glm::dvec3& u, const glm::dvec3& v) {
-        const auto at = [&](int i) {
-            const double angle = 2 * std::numbers::pi * i / kSegments;
-            return middle + u * std::cos(angle) + v * std::sin(angle);
-        };
-        for (int i = 0; i < kSegments; ++i)
-            lines.push_back({.from = at(i), .to = at(i + 1), .colour = colour});
-    };
     const double range = lamp.range;
-    if (!lamp.isSpot()) {
-        const glm::dvec3 x{range, 0, 0}, y{0, range, 0}, z{0, 0, range};
-        circle(lamp.place, x, y);
-        circle(lamp.place, y, z);
-        circle(lamp.place, z, x);
-        return;
-    }
+    if (!lamp.isSpot()) return addSphere(lines, lamp.place, range, colour);
     const glm::dvec3 forward{lamp.direction};
     const glm::dvec3 aside = std::abs(forward.y) > 0.9 ? glm::dvec3{1, 0, 0} : glm::dvec3{0, 1, 0};
     const glm::dvec3 u = glm::normalize(glm::cross(forward, aside)), v = glm::cross(u, forward);
     for (const double angle : {double(lamp.inner), double(lamp.outer)}) {
         const glm::dvec3 middle = lamp.place + forward * (range * std::cos(angle));
         const double radius = range * std::sin(angle);
-        circle(middle, u * radius, v * radius);
+        addCircle(lines, middle, u * radius, v * radius, colour);
         if (angle != double(lamp.outer)) continue;
         for (const glm::dvec3& side : {u, -u, v, -v})
             lines.push_back({.from = lamp.place, .to = middle + side * radius, .colour = colour});

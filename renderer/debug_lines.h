@@ -14,6 +14,9 @@ namespace renderer {
 
 void addBox(std::vector<Line>& lines, const io::WorldBox& box, const glm::vec4& colour); // its twelve edges
 
+void addBox(std::vector<Line>& lines, const glm::dvec3& middle, const glm::dmat3& halfAxes, const glm::vec4& colour); // turned
+void addSphere(std::vector<Line>& lines, const glm::dvec3& middle, double radius, const glm::vec4& colour); // three circles
+
 // How far a lamp reaches: three circles at its range, or a spot's cone with the circle where it begins to fade.
 void addLamp(std::vector<Line>& lines, const Lamp& lamp, const glm::vec4& colour);
 

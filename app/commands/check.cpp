@@ -1,6 +1,7 @@
 // wold check: reads all that a project names and lists every fault.
 #include "app/commands/commands.h"
 #include "app/report.h"
+#include "app/sound/sound_check.h"
 #include "io/files/project.h"
 
 #include <algorithm>
@@ -29,6 +30,23 @@ io::Status mend(const std::filesystem::path& project)
     return {};
 }
 
+// What all files of the project hold is said by their readers; what sounds in them, by who can hear.
+io::Complaints faultsOf(const std::filesystem::path& project)
+{
+    io::Complaints complaints = io::checkProject(project);
+    io::Complaints said; // by then already
+    const auto start = io::openWorld(project, {}, said);
+    if (!start) return complaints;
+    io::Complaints sounds;
+    for (const io::SceneEntry& entry : start->project.scenes)
+        if (const auto world = io::openWorld(project, entry.name, said)) checkSounds(world->scene, world->project.folder, world->entry.file, sounds);
+    for (io::Complaint& complaint : sounds) { // scenes share their templates
+        const auto same = [&](const io::Complaint& other) { return other.where == complaint.where && other.what == complaint.what; };
+        if (std::ranges::none_of(complaints, same)) complaints.push_back(std::move(complaint));
+    }
+    return complaints;
+}
+
 io::Value figuresOf(const io::Complaints& complaints)
 {
     io::Value::Array list;
@@ -49,7 +67,7 @@ int check(const Options& options)
 {
     if (options.fix)
         if (const io::Status mended = mend(options.project); !mended) return fault(mended.error());
-    const io::Complaints complaints = io::checkProject(options.project);
+    const io::Complaints complaints = faultsOf(options.project);
     for (const io::Complaint& complaint : complaints)
         if (options.json != "-")
             fmt::print("{}: {}: {}\n", complaint.where, kSeverities[std::size_t(complaint.severity)], complaint.what);

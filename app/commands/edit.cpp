@@ -26,6 +26,7 @@ namespace {
 
 constexpr double kStep = 1.0 / 60;     // s, of a replayed frame
 constexpr double kLook = 0.5;          // s between looks at shader files while nothing happens
+constexpr double kHear = 0.1;          // s between moments in which what is heard goes on, though nothing is drawn
 constexpr int kSettle = 3;             // frames after a replay, so that its last event is seen
 
 Settings settingsFor(const Options& options)
@@ -44,8 +45,8 @@ double secondsSince(std::chrono::steady_clock::time_point start)
 
 class Stage {
 public:
-    Stage(const Options& options, ViewManager& views, ImguiHost& host, const Settings& settings)
-        : m_options{options}, m_views{views}, m_host{host}, m_settings{settings}, m_canvas{std::make_unique<renderer::Canvas>(options.size)}
+    Stage(const Options& options, ViewManager& views, ImguiHost& host, const Settings& settings, ReplayedPads& pads)
+        : m_options{options}, m_views{views}, m_host{host}, m_settings{settings}, m_pads{pads}, m_canvas{std::make_unique<renderer::Canvas>(options.size)}
     {
     }
 
@@ -63,7 +64,8 @@ public:
     {
         return {.shot = [this](const std::filesystem::path& file) { return shot(file.empty() ? nextShot() : file); },
                 .uiMap = [](const std::filesystem::path& file) { return writeMap(file); },
-                .resize = [this](glm::ivec2 size) { m_canvas = std::make_unique<renderer::Canvas>(size); }};
+                .resize = [this](glm::ivec2 size) { m_canvas = std::make_unique<renderer::Canvas>(size); },
+                .pad = [this](const step::Pad& pad) { m_pads.set(pad.name, pad.share); }};
     }
 
     // The pictures and the map that the command line asks for and no event has taken.
@@ -93,16 +95,17 @@ private:
     ViewManager& m_views;
     ImguiHost& m_host;
     const Settings& m_settings;
+    ReplayedPads& m_pads;
     std::unique_ptr<renderer::Canvas> m_canvas;
     std::size_t m_shots = 0;
     int m_frames = 0;
 };
 
 io::Status play(const Options& options, std::vector<Step> steps, ViewManager& views, EditView& view, ImguiHost& host,
-                const Settings& settings)
+                const Settings& settings, ReplayedPads& pads)
 {
     const auto start = std::chrono::steady_clock::now();
-    Stage stage{options, views, host, settings};
+    Stage stage{options, views, host, settings, pads};
     Player player{std::move(steps), options.replay.string(), stage.hooks()};
     stage.draw(); // widgets have a place only once they were drawn
     for (;;) {
@@ -128,11 +131,12 @@ int replay(const Options& options)
 
     Settings settings = settingsFor(options);
     ImguiHost host{nullptr, settings.uiScale()};
-    EditView view{options, (*studio)->renderer(), settings, std::move(std::get<Opened>(opened).document)};
-    PlayView walk{(*studio)->renderer()};
+    ReplayedPads pads;
+    EditView view{options, (*studio)->renderer(), settings, pads, std::move(std::get<Opened>(opened).document)};
+    PlayView walk{(*studio)->renderer(), pads};
     ViewManager views{view, walk};
     if (const io::Status ready = views.init(); !ready) return fault(ready.error());
-    const io::Status played = play(options, *std::move(steps), views, view, host, settings);
+    const io::Status played = play(options, *std::move(steps), views, view, host, settings, pads);
     views.stop();
     views.burn();
     return played ? 0 : fault(played.error());
@@ -171,7 +175,8 @@ private:
             return true;
         }
         sayRest(wait);
-        const bool happened = m_window.waitForEvents(std::min(wait, kLook)) || m_shaders.changed();
+        const bool happened = m_window.waitForEvents(std::min(wait, m_view.hears() ? kHear : kLook)) || m_shaders.changed();
+        m_view.hear();
         if (happened) m_view.editor().wake();
         return happened;
     }
@@ -228,8 +233,8 @@ int openWindow(const Options& options)
     auto renderer = makeRenderer();
     if (!renderer) return fault(renderer.error());
     ImguiHost host{window->get(), (*window)->scale() * settings.uiScale()};
-    EditView view{options, **renderer, settings};
-    PlayView walk{**renderer};
+    EditView view{options, **renderer, settings, **window};
+    PlayView walk{**renderer, **window};
     ViewManager views{view, walk};
     if (const io::Status ready = views.init(); !ready) return fault(ready.error());
     Loop{**window, host, views, view, settings, recorder ? &*recorder : nullptr}.run();

@@ -34,15 +34,16 @@ public:
     glm::dvec2 turned{0};
 
 private:
-    void hold(const std::string& name, bool down)
+    void hold(const std::string& name, double share)
     {
-        if (down) held[name] = 1;
+        if (share > 0) held[name] = share;
         else held.erase(name);
     }
     bool take(const Action& action) // whether it takes a step
     {
         if (const auto* key = std::get_if<step::Key>(&action)) return hold(nameOfKey(key->code), key->down), true;
         if (const auto* button = std::get_if<step::Button>(&action)) return hold("mouse " + std::to_string(button->button + 1), button->down), true;
+        if (const auto* pad = std::get_if<step::Pad>(&action)) return hold(pad->name, pad->share), true;
         if (const auto* move = std::get_if<step::Move>(&action)) {
             const glm::dvec2 to = glm::mix(move->from.pixel, move->to.pixel, move->share);
             if (m_pointerKnown) turned = (m_pointer - to) * play::kTurnOfPixel;

@@ -1,22 +1,12 @@
 #include "app/play/controls.h"
 
+#include "io/files/usual_controls.h"
+
 #include <algorithm>
-#include <array>
 
 namespace play {
 namespace {
 
-struct Usual {
-    const char* action;
-    std::array<const char*, 3> by;
-};
-constexpr Usual kUsual[]{{"forward", {"W", "Up", "pad left -y"}}, {"back", {"S", "Down", "pad left +y"}},
-                         {"left", {"A", "Left", "pad left -x"}},  {"right", {"D", "Right", "pad left +x"}},
-                         {"look_left", {"pad right -x"}},         {"look_right", {"pad right +x"}},
-                         {"look_up", {"pad right -y"}},           {"look_down", {"pad right +y"}},
-                         {"run", {"Shift", "pad left stick"}},    {"crouch", {"Ctrl", "C", "pad B"}},
-                         {"jump", {"Space", "pad A"}},            {"fly", {"F", "pad back"}},
-                         {"eye", {"V", "pad Y"}}};
 constexpr double kTurn = 150; // degrees a second, of a stick pushed all the way
 constexpr double kHalf = 0.5; // from here on a stick counts as pressed
 
@@ -24,20 +14,13 @@ constexpr double kHalf = 0.5; // from here on a stick counts as pressed
 
 Controls::Controls(std::span<const io::Control> bindings)
 {
-    for (const io::Control& control : bindings)
-        m_by[control.action].push_back(control.by);
-    for (const Usual& usual : kUsual)
-        if (!m_by.contains(usual.action))
-            for (const char* by : usual.by)
-                if (by) m_by[usual.action].push_back(by);
+    for (const std::string_view action : io::playActions())
+        m_by.emplace(action, io::controlsOf(bindings, action));
 }
 
 std::vector<std::string> Controls::actions()
 {
-    std::vector<std::string> names;
-    for (const Usual& usual : kUsual)
-        names.emplace_back(usual.action);
-    return names;
+    return {io::playActions().begin(), io::playActions().end()};
 }
 
 double Controls::amount(std::string_view action, const Held& held) const
@@ -57,11 +40,11 @@ bool Controls::pressed(std::string_view action) const
 Wish Controls::wish(const Held& held, const glm::dvec2& turned)
 {
     m_pressed.clear();
-    for (const Usual& usual : kUsual) {
-        const bool down = amount(usual.action, held) >= kHalf;
-        if (down && !m_down.contains(usual.action)) m_pressed.insert(usual.action);
-        if (down) m_down.insert(usual.action);
-        else m_down.erase(usual.action);
+    for (const auto& [action, by] : m_by) {
+        const bool down = amount(action, held) >= kHalf;
+        if (down && !m_down.contains(action)) m_pressed.insert(action);
+        if (down) m_down.insert(action);
+        else m_down.erase(action);
     }
     const auto between = [&](std::string_view more, std::string_view less) { return amount(more, held) - amount(less, held); };
     return {.move = {between("right", "left"), between("forward", "back")},

@@ -2,14 +2,13 @@
 
 #include "io/base/value.h"
 #include "io/files/json.h"
+#include "io/scene/instance_walk.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace play {
 namespace {
-
-constexpr double kStride = 1.5; // m from one step of the feet to the next
 
 const io::Object* startOf(const io::Scene& scene)
 {
@@ -41,11 +40,26 @@ Session::Session(const io::Scene& scene, const io::Assets& assets, const io::Cam
         m_walker.put(start->transform.position, start->transform.rotation.y, 0, m_surroundings);
     else
         m_walker.put(camera.eye - glm::dvec3{0, likes.eyeHeight, 0}, camera.yaw, camera.pitch, m_surroundings);
-    for (const io::Object& object : m_scene.objects())
-        if (const io::Template* value = m_scene.find(object.templateId); value && value->trigger.shape != io::TriggerShape::None)
-            m_triggers.push_back({object.id});
-    std::ranges::sort(m_triggers, {}, &Place::id);
+    findTriggers();
     m_eyeBefore = m_eyeNow = m_walker.eye();
+}
+
+void Session::findTriggers()
+{
+    const auto isTrigger = [&](io::TemplateId id) {
+        const io::Template* value = m_scene.find(id);
+        return value && value->trigger.shape != io::TriggerShape::None;
+    };
+    for (const io::Object& object : m_scene.objects())
+        if (isTrigger(object.templateId)) m_triggers.push_back({object.id});
+    for (const io::ScatterLayer& layer : m_scene.scatterLayers()) {
+        if (std::ranges::none_of(io::templatesOf(m_scene, layer), isTrigger)) continue;
+        for (const auto& [place, tile] : m_scene.instances(layer.id))
+            io::eachInstance(m_scene, {layer.id, place}, [&](io::ObjectId id, io::TemplateId what, const io::Transform& transform) {
+                if (isTrigger(what)) m_triggers.push_back({id, io::Object{.id = id, .templateId = what, .transform = transform}});
+            });
+    }
+    std::ranges::sort(m_triggers, {}, &Place::id);
 }
 
 void Session::change(io::ObjectId id, std::optional<io::Object> object)
@@ -79,8 +93,7 @@ void Session::step(const Wish& wish, bool otherEye)
     carry();
     const glm::dvec3 before = m_walker.feet();
     m_walker.step(wish, m_surroundings);
-    if (m_walker.grounded()) m_walked += glm::length(m_walker.feet() - before);
-    sounds();
+    stepSounds(m_walker.grounded() ? glm::length(m_walker.feet() - before) : 0);
     trigger();
     m_eyeNow = m_walker.eye();
     m_stoodOn = m_walker.ground();
@@ -95,20 +108,22 @@ void Session::carry()
                    object->transform.rotation.y - m_stoodAt.rotation.y, m_surroundings);
 }
 
-void Session::sounds()
+void Session::stepSounds(double walked)
 {
-    if (m_walked < kStride) return;
-    m_walked = 0;
-    const io::Object* object = m_scene.find(m_walker.ground());
-    const io::Template* value = object ? m_scene.find(object->templateId) : nullptr;
-    if (value && !value->steps.empty()) m_events.push_back({Event::Kind::Step, value->steps, 0, m_walker.feet()});
+    const io::Object* on = m_scene.find(m_walker.ground());
+    const auto planted = m_scene.findInstance(m_walker.ground());
+    const io::TemplateId what = on ? on->templateId : planted ? m_scene.templateOf(*planted) : io::TemplateId::None;
+    const io::Feet feet{.at = m_walker.feet(), .walked = walked, .speed = float(glm::length(m_walker.velocity())), .on = what};
+    if (const std::string file = m_feet.walk(m_scene, feet); !file.empty()) m_events.push_back({Event::Kind::Step, file, 0, feet.at});
 }
 
 bool Session::insideOf(const io::Object& object, const io::Trigger& trigger) const
 {
-    const glm::dquat turn = io::orientation(object.transform.rotation);
     const glm::dvec3 size = glm::dvec3{trigger.size} * glm::abs(glm::dvec3{object.transform.scale}) / 2.0;
-    const glm::dvec3 at = glm::inverse(turn) * (m_walker.centre() - object.transform.position);
+    const glm::dvec3 way = m_walker.centre() - object.transform.position;
+    if (glm::dot(way, way) > glm::dot(size, size)) return false; // most are far away, of planted ones there may be many
+    const glm::dquat turn = io::orientation(object.transform.rotation);
+    const glm::dvec3 at = glm::inverse(turn) * way;
     if (trigger.shape == io::TriggerShape::Sphere) return glm::dot(at, at) <= size.x * size.x;
     return glm::all(glm::lessThanEqual(glm::abs(at), size));
 }
@@ -116,7 +131,7 @@ bool Session::insideOf(const io::Object& object, const io::Trigger& trigger) con
 void Session::trigger()
 {
     for (Place& place : m_triggers) {
-        const io::Object* object = m_scene.find(place.id);
+        const io::Object* object = place.planted ? &*place.planted : m_scene.find(place.id);
         const io::Template* value = object ? m_scene.find(object->templateId) : nullptr;
         const bool inside = value && insideOf(*object, value->trigger);
         const bool entered = inside && !place.inside && !(place.done && value->trigger.once);

@@ -5,7 +5,9 @@
 #include "app/play/controls.h"
 #include "app/play/walker.h"
 #include "io/scene/camera.h"
+#include "io/scene/footsteps.h"
 
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -14,7 +16,7 @@ namespace play {
 
 // What the program around it is asked to do.
 struct Event {
-    enum class Kind { Sound, Step, Look, Message }; // a step: of feet on a thing, which app/sound hears by itself
+    enum class Kind { Sound, Step, Look, Message }; // a step: of feet, which app/sound hears by itself
     Kind kind = Kind::Message;
     std::string what;  // file, name of the look, text
     float seconds = 0; // that a look takes, or a message stays
@@ -40,15 +42,17 @@ public:
 private:
     struct Place { // of a trigger
         io::ObjectId id;
+        std::optional<io::Object> planted = {}; // of an instance, which stays where it is
         bool inside = false, done = false;
     };
     void change(io::ObjectId id, std::optional<io::Object> object);
     void carry();
+    void findTriggers();
     void trigger();
     bool insideOf(const io::Object& object, const io::Trigger& trigger) const;
     void act(const io::TriggerAction& action, const glm::dvec3& at);
     void show(const std::string& name, bool shown);
-    void sounds();
+    void stepSounds(double walked);
     io::Camera eye(const glm::dvec3& at) const;
 
     io::Scene m_scene;
@@ -63,7 +67,7 @@ private:
     io::ObjectId m_stoodOn = io::ObjectId::None;
     io::Transform m_stoodAt;
     glm::dvec3 m_eyeBefore{0}, m_eyeNow{0};
-    double m_walked = 0; // m since the last foot was heard
+    io::Footsteps m_feet;
     bool m_third = false;
     long m_steps = 0;
 };

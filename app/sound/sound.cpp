@@ -1,6 +1,5 @@
 #include "app/sound/sound.h"
 
-#include "app/sound/footsteps.h"
 #include "app/sound/mixer.h"
 #include "app/sound/sound_device.h"
 #include "app/sound/sound_sources.h"
@@ -34,7 +33,7 @@ struct Sound::State {
     std::optional<Mixer> mixer; // goes before the device
     io::Complaints notices;
     SoundSources sources;
-    Footsteps feet;
+    io::Footsteps feet;
     std::string windFile; // empty: the project has none
     Listener listener;    // of the last update
     io::Random random{1};

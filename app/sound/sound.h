@@ -4,6 +4,7 @@
 #pragma once
 
 #include "io/base/complaint.h"
+#include "io/scene/footsteps.h"
 #include "io/scene/scene.h"
 
 #include <filesystem>
@@ -20,12 +21,7 @@ struct Listener {
     float yaw = 0, pitch = 0; // degrees, as io::Camera's
 };
 
-struct Feet {
-    glm::dvec3 at{0};  // m
-    double walked = 0; // m over ground since the last time; 0 in the air, in water and at rest
-    float speed = 0;   // m/s
-    io::TemplateId on = io::TemplateId::None; // what they stand on; None: the ground
-};
+using io::Feet;
 
 // Whether something stands between an ear and a sound. `object` is what the sound belongs to, and does not count.
 using SoundBlocked = std::function<bool(const glm::dvec3& ear, const glm::dvec3& sound, io::ObjectId object)>;

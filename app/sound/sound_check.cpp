@@ -3,36 +3,63 @@
 #include "app/sound/sound_file.h"
 #include "io/base/paths.h"
 
+#include <fstream>
 #include <map>
 
 namespace app {
+namespace {
 
-void checkSounds(const io::Scene& scene, const std::filesystem::path& project, io::Complaints& complaints)
+namespace fs = std::filesystem;
+
+struct Naming {
+    fs::path file; // that names the sound
+    std::string key;
+};
+
+// FILE:LINE of the first line that holds the text in quotes; of the first at all where none does.
+std::string placeOf(const fs::path& file, const std::string& text)
 {
-    std::map<std::string, std::string> named; // file, and who names it first
-    const auto add = [&](const std::string& file, const std::string& by) {
-        if (!file.empty()) named.emplace(file, by);
+    std::ifstream in{file};
+    const std::string quoted = '"' + text + '"';
+    int number = 0;
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        if (line.find(quoted) != std::string::npos) return file.string() + ":" + std::to_string(number);
+    }
+    return file.string() + ":1";
+}
+
+std::string faultOf(const fs::path& project, const std::string& file)
+{
+    const io::Result<fs::path> path = io::insideFolder(project, file);
+    if (!path) return path.error().what;
+    io::Result<SoundFile> opened = SoundFile::open(*path);
+    if (!opened) return opened.error().what;
+    std::int16_t first[2];
+    return opened->read(first, 2) == 0 ? "holds no sound; it may be cut off" : "";
+}
+
+} // namespace
+
+void checkSounds(const io::Scene& scene, const fs::path& project, const std::string& sceneFile, io::Complaints& complaints)
+{
+    std::map<std::string, Naming> named; // by the sound; who names it first
+    const auto add = [&](const std::string& sound, const fs::path& by, const char* key) {
+        if (!sound.empty()) named.emplace(sound, Naming{project / by, key});
     };
     for (const io::Scene::TemplateSlot& slot : scene.templates()) {
         if (!slot.value) continue;
-        add(slot.value->sound.file, "template " + slot.name);
-        add(slot.value->steps, "steps of template " + slot.name);
+        const fs::path by = fs::path{"templates"} / (slot.name + ".json");
+        add(slot.value->sound.file, by, "sound.file");
+        add(slot.value->steps, by, "steps");
         for (const io::TriggerAction& action : slot.value->trigger.actions)
-            if (action.action == io::TriggerDo::PlaySound) add(action.what, "trigger of template " + slot.name);
+            if (action.action == io::TriggerDo::PlaySound) add(action.what, by, "trigger.actions");
     }
     for (const io::TerrainLayer& layer : scene.terrain().layers)
-        add(layer.steps, "steps of terrain layer " + layer.name);
-    for (const auto& [file, by] : named) {
-        const io::Result<std::filesystem::path> path = io::insideFolder(project, file);
-        if (!path) {
-            complaints.push_back({io::Severity::Error, file, path.error().what + " (" + by + ")"});
-            continue;
-        }
-        io::Result<SoundFile> opened = SoundFile::open(*path);
-        std::string fault = opened ? "" : opened.error().what;
-        if (std::int16_t first[2]; opened && opened->read(first, 2) == 0) fault = "holds no sound; it may be cut off";
-        if (!fault.empty()) complaints.push_back({io::Severity::Error, file, fault + " (" + by + ")"});
-    }
+        add(layer.steps, sceneFile, "terrain.layers");
+    for (const auto& [sound, by] : named)
+        if (const std::string fault = faultOf(project, sound); !fault.empty())
+            complaints.push_back({io::Severity::Error, placeOf(by.file, sound), by.key + ": " + sound + ": " + fault});
 }
 
 } // namespace app

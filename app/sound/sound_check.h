@@ -5,9 +5,11 @@
 #include "io/scene/scene.h"
 
 #include <filesystem>
+#include <string>
 
 namespace app {
 
-void checkSounds(const io::Scene& scene, const std::filesystem::path& project, io::Complaints& complaints);
+// Where: the file of the project that names the sound, and the line that does. `sceneFile`: scenes/NAME.scene.json.
+void checkSounds(const io::Scene& scene, const std::filesystem::path& project, const std::string& sceneFile, io::Complaints& complaints);
 
 } // namespace app

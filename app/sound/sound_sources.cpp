@@ -1,5 +1,7 @@
 #include "app/sound/sound_sources.h"
 
+#include "io/scene/falloff.h"
+
 #include <algorithm>
 
 namespace app {
@@ -78,18 +80,7 @@ void SoundSources::followObject(const io::Scene& scene, io::ObjectId id)
 float levelAt(const io::SoundSource& source, double distance)
 {
     const float at = float(distance / std::max(double(source.radius), 1e-6));
-    if (!(at < 1)) return 0;
-    if (source.falloff.empty()) return (1 - at) * (1 - at);
-    // Keys by rising place; a hand-written file may have them otherwise.
-    const io::FalloffKey* before = nullptr;
-    const io::FalloffKey* after = nullptr;
-    for (const io::FalloffKey& key : source.falloff) {
-        if (key.at <= at && (!before || key.at >= before->at)) before = &key;
-        if (key.at > at && (!after || key.at < after->at)) after = &key;
-    }
-    if (!before) return after->level;
-    if (!after) return before->level;
-    return glm::mix(before->level, after->level, (at - before->at) / (after->at - before->at));
+    return at < 1 ? io::falloffAt(source.falloff, at) : 0;
 }
 
 bool heardAt(const io::SoundSource& source, const io::Environment& environment)

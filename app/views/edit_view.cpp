@@ -24,9 +24,9 @@ std::optional<Quality> lowerThan(Quality quality)
 
 } // namespace
 
-EditView::EditView(const Options& options, renderer::Renderer& renderer, Settings& settings,
+EditView::EditView(const Options& options, renderer::Renderer& renderer, Settings& settings, const Pads& pads,
                    std::unique_ptr<editor::Document> document)
-    : m_options{options}, m_renderer{renderer}, m_settings{settings}, m_given{std::move(document)}
+    : m_options{options}, m_renderer{renderer}, m_settings{settings}, m_pads{pads}, m_given{std::move(document)}
 {
 }
 
@@ -111,23 +111,31 @@ void EditView::frameTook(double seconds)
 void EditView::runImGui()
 {
     m_editor->frame(m_seconds);
+    hear();
+}
+
+void EditView::hear()
+{
+    if (!repeatable()) m_sound.update(*m_editor);
 }
 
 std::optional<PlayBegin> EditView::takePlay()
 {
     const std::optional<bool> asked = std::exchange(m_play, std::nullopt);
     if (!asked || !m_editor->document()) return {};
-    return PlayBegin{m_editor->document(), m_editor->viewport().camera.camera(), *asked, repeatable(), m_editor->renderSettings};
+    return PlayBegin{m_editor->document(), m_editor->viewport().camera.camera(), *asked, repeatable(), m_editor->renderSettings, m_editor->sound};
 }
 
 void EditView::stop()
 {
+    m_sound.end();
     m_editor->saveLayout();
     m_settings.save();
 }
 
 void EditView::burn()
 {
+    m_sound.end();
     m_editor.reset();
 }
 

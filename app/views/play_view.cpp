@@ -1,6 +1,7 @@
 #include "app/views/play_view.h"
 
-#include "app/replay.h"
+#include "app/views/world_sound.h"
+#include "editor/held_controls.h"
 #include "editor/keys.h"
 #include "editor/text.h"
 #include "io/base/log.h"
@@ -39,7 +40,9 @@ void PlayView::begin(const PlayBegin& begin)
     m_session.emplace(begin.document->scene(), begin.document->assets(), begin.camera, begin.fromMarker);
     m_before = m_session->walker().feet();
     m_heard = {.everything = true};
-    if (!begin.repeatable) m_sound.emplace(begin.document->project().folder);
+    if (begin.repeatable) return;
+    m_sound.emplace(begin.document->project().folder);
+    setLevels(*m_sound, begin.sound);
 }
 
 void PlayView::run(double seconds)
@@ -47,16 +50,10 @@ void PlayView::run(double seconds)
     m_seconds = seconds;
 }
 
-// Keys and buttons by the names that controls give them.
 play::Held PlayView::held() const
 {
-    play::Held held;
-    const ImGuiIO& io = ImGui::GetIO();
-    for (int code = 0; code < IM_ARRAYSIZE(io.KeysDown); ++code)
-        if (io.KeysDown[code])
-            if (const std::string name = nameOfKey(code); !name.empty()) held[name] = 1;
-    for (int button = 0; button < IM_ARRAYSIZE(io.MouseDown); ++button)
-        if (io.MouseDown[button]) held["mouse " + std::to_string(button + 1)] = 1;
+    play::Held held = editor::heldKeys();
+    held.merge(m_pads.held());
     return held;
 }
 

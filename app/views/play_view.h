@@ -1,10 +1,12 @@
 // PlayView: walking through a world in the window. The editor lies behind it and is as it was when it comes back.
 #pragma once
 
+#include "app/pads.h"
 #include "app/play/session.h"
 #include "app/sound/sound.h"
 #include "app/views/view.h"
 #include "editor/document.h"
+#include "editor/sound_settings.h"
 #include "renderer/renderer.h"
 
 #include <deque>
@@ -20,11 +22,12 @@ struct PlayBegin {
     bool fromMarker = false;   // begins at the world's start marker, if it has one
     bool repeatable = false;   // no sound, and pictures in full size however long they take
     renderer::Settings drawing;
+    editor::SoundSettings sound;
 };
 
 class PlayView final : public View {
 public:
-    explicit PlayView(renderer::Renderer& renderer) : m_renderer{renderer} {}
+    PlayView(renderer::Renderer& renderer, const Pads& pads) : m_renderer{renderer}, m_pads{pads} {}
 
     void begin(const PlayBegin& begin); // before it is woken
     bool wantsBack() const { return m_wantsBack; }
@@ -56,6 +59,7 @@ private:
     void drawOverlay() const;
 
     renderer::Renderer& m_renderer;
+    const Pads& m_pads;
     PlayBegin m_begin;
     std::optional<play::Session> m_session;
     play::Controls m_controls;

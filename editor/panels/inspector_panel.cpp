@@ -5,7 +5,10 @@
 #include "editor/instance_edits.h"
 #include "editor/field_ui.h"
 #include "editor/numbers_text.h"
+#include "editor/panels/falloff_curve.h"
+#include "editor/panels/trigger_actions.h"
 #include "editor/placement.h"
+#include "editor/project_files.h"
 #include "editor/text.h"
 #include "editor/undo_names.h"
 #include "editor/widgets.h"
@@ -217,12 +220,26 @@ void InspectorPanel::drawTemplate(Editor& editor, io::TemplateId id)
     ImGui::EndGroup();
     ImGui::Dummy({0, 2});
 
-    FieldUi ui{{.prefix = "template.", .defaults = scalarsOf(io::Template{})}};
     io::Template shown = what;
+    std::string listKey, listWhat; // of a list that was changed
+    const auto lists = [&](std::string_view key) {
+        const bool actions = key == "template.trigger.actions" && triggerActions(*editor.document(), shown.trigger.actions, listWhat);
+        const bool curve = key == "template.sound.falloff" && falloffCurve(shown.sound.falloff, shown.sound.radius);
+        if (actions || curve) listKey = key;
+    };
+    const auto files = [&](std::string_view key) {
+        const bool sound = key == "template.sound.file" || key == "template.steps";
+        return sound ? filesIn(editor.document()->project().folder, "sounds") : std::vector<std::string>{};
+    };
+    FieldUi ui{{.prefix = "template.", .defaults = scalarsOf(io::Template{}), .lists = lists, .files = files}};
     if (ui::section("template", tr("section.template"))) fields(ui, shown);
     if (!ui.changes().empty()) {
         editor.beginEdit("template." + ui.changedKey(), trf("undo.edit", ui.changedLabel()));
         setTemplate(*editor.document(), ui.changedLabel(), id, std::move(shown));
+    } else if (!listKey.empty()) {
+        const std::string name = trf("undo.edit", tr(listKey.ends_with("falloff") ? "falloff.curve" : "triggers.actions"));
+        editor.beginEdit(listKey + listWhat, name);
+        setTemplate(*editor.document(), name, id, std::move(shown));
     }
     if (back) editor.inspectTemplate = false;
 }

@@ -5,6 +5,7 @@
 #include "editor/painting.h"
 #include "editor/panels/grass_kinds.h"
 #include "editor/stamp_file.h"
+#include "editor/project_files.h"
 #include "editor/text.h"
 #include "editor/widgets.h"
 #include "io/base/log.h"
@@ -19,17 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kLookEvery = 2; // s
-
-std::vector<std::string> filesIn(const fs::path& project, const char* folder)
-{
-    std::vector<std::string> files;
-    std::error_code none;
-    for (const fs::directory_entry& entry : fs::directory_iterator{project / folder, none})
-        if (entry.is_regular_file(none) && !entry.path().filename().string().starts_with('.'))
-            files.push_back(std::string{folder} + "/" + entry.path().filename().string());
-    std::ranges::sort(files);
-    return files;
-}
 
 // change(layers, numbers): which one each was; what was painted goes with them.
 void changeLayers(Editor& editor, const char* stepKey, auto&& change)

@@ -1,5 +1,6 @@
 #include "tests/cli/wold.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -70,6 +71,20 @@ TEST_F(Faults, aTruncatedModelIsReplacedInAPictureAndAnErrorForCheck)
     const Ran checked = wold({"check", project});
     expectFault(checked, "crate.glb");
     EXPECT_NE(checked.out.find("error"), std::string::npos);
+}
+
+TEST_F(Faults, aSoundThatIsNoneIsAnErrorAtTheLineThatNamesIt)
+{
+    std::filesystem::create_directories(project + "/sounds");
+    std::ofstream{project + "/sounds/text.ogg"} << "not a sound";
+    const std::string file = project + "/templates/crate.json";
+    std::string text = textOf(file);
+    text.insert(text.rfind('}'), ",\n  \"steps\": \"sounds/text.ogg\"\n");
+    std::ofstream{file} << text;
+    const Ran checked = wold({"check", project});
+    expectFault(checked, "steps: sounds/text.ogg");
+    const auto line = std::count(text.begin(), text.begin() + std::ptrdiff_t(text.find("\"steps\"")), '\n') + 1;
+    EXPECT_NE(checked.out.find("crate.json:" + std::to_string(line) + ": error: steps: "), std::string::npos) << checked.out;
 }
 
 TEST_F(Faults, imagesThatAreNoHeightMaps)

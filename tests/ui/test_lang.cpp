@@ -3,6 +3,7 @@
 #include "editor/text.h"
 #include "io/files/atomic_file.h"
 #include "io/files/json.h"
+#include "io/files/usual_controls.h"
 #include "io/scene/environment_presets.h"
 #include "renderer/renderer.h"
 #include "tests/ui/support/rig.h"
@@ -139,6 +140,10 @@ Keys computedKeys()
         keys.insert("panel." + std::string{panel->id()});
     for (const std::string_view name : enumNames(io::Preset{}))
         keys.insert("look." + std::string{name});
+    for (const std::string_view action : io::playActions())
+        keys.insert("control." + std::string{action});
+    for (const std::string_view name : enumNames(io::TriggerDo{}))
+        keys.insert("trigger_do." + std::string{name});
     for (const char* starter : {"valley", "empty"})
         keys.insert("starter." + std::string{starter});
     for (const char* entry :

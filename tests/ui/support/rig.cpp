@@ -152,6 +152,13 @@ void Rig::click(ImVec2 at, int button)
     release(button);
 }
 
+void Rig::doubleClick(ImVec2 at)
+{
+    click(at);
+    press();
+    release();
+}
+
 void Rig::drag(ImVec2 from, ImVec2 to, int button)
 {
     constexpr int kSteps = 8;

@@ -25,8 +25,10 @@ public:
 
     std::vector<std::filesystem::path> recent;
     double frameRate() const override { return rate; }
+    editor::Held padsHeld() const override { return pads; }
 
     io::Value saved;
+    editor::Held pads; // what a pad holds down
     bool background = false;
     double rate = 30;
 
@@ -51,6 +53,7 @@ public:
     void press(int button = 0);
     void release(int button = 0);
     void click(ImVec2 at, int button = 0);
+    void doubleClick(ImVec2 at);
     void drag(ImVec2 from, ImVec2 to, int button = 0); // and lets go
     void key(editor::Chord chord);
     void hold(bool ctrl, bool shift = false, bool alt = false); // modifiers, until the next call

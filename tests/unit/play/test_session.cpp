@@ -2,6 +2,7 @@
 
 #include "app/play/session.h"
 #include "io/base/random.h"
+#include "io/scene/instances.h"
 
 #include <gtest/gtest.h>
 
@@ -80,6 +81,50 @@ TEST(Session, TriggersDoWhatTheySayAndTheDocumentStaysAsItWas)
     EXPECT_LT(session.walker().feet().z, -7); // through where the door was
     EXPECT_TRUE(io::sameContent(before, stage.scene));
     EXPECT_EQ(session.differences().objects, std::vector{named.id});
+}
+
+TEST(Session, PlantedTriggersActToo)
+{
+    test::Stage stage = world();
+    const io::TemplateId bell = stage.addBox({1, 1, 1}, io::Collision::None);
+    io::Template value = *stage.scene.find(bell);
+    value.name = "bell";
+    value.trigger = {.shape = io::TriggerShape::Box, .size = {2, 4, 2}, .once = true, .actions = {{.action = io::TriggerDo::Message, .what = "ding"}}};
+    stage.scene.exchange(stage.scene.templateSlot("bell"), value);
+    const io::ScatterId layer = stage.scene.freshScatterId();
+    stage.scene.exchange(std::vector<io::ScatterLayer>{{.id = layer, .name = "bells", .species = {{.templateName = "bell"}}}});
+    const io::PlacedInstance near = io::instanceAt({.position = {0, 0, -3}}, 0), far = io::instanceAt({.position = {20, 0, 20}}, 0);
+    for (const io::PlacedInstance& placed : {near, far})
+        stage.scene.exchange(io::LayerTile{layer, placed.tile}, std::make_shared<const io::InstanceTile>(io::InstanceTile{.instances = {placed.instance}}));
+    Session session{stage.scene, stage.assets, above(0, 0)};
+    int heard = 0;
+    for (int i = 0; i < 240; ++i) {
+        session.step({.move = {0, 1}});
+        for (const Event& event : session.events())
+            heard += event.what == "ding";
+    }
+    EXPECT_EQ(heard, 1);
+}
+
+TEST(Session, StepsSoundAsTheGroundThatShows)
+{
+    test::Stage stage;
+    stage.setGround([](double, double) { return 0; });
+    stage.scene.exchange(io::Terrain{.origin = {-32, -32}, .layers = {{.name = "grass", .steps = "sounds/grass.ogg"}}});
+    Session session{stage.scene, stage.assets, above(0, 0)};
+    std::string trace;
+    for (int i = 0; i < 180; ++i) {
+        session.step({.move = {0, 1}});
+        trace += traceLine(session);
+    }
+    EXPECT_NE(trace.find("\"sounds\":[\"sounds/grass.ogg\"]"), std::string::npos) << trace.substr(0, 400);
+}
+
+TEST(Controls, AnActionThatWasTakenAwayHasNone)
+{
+    const io::Control bindings[]{{"jump", ""}};
+    Controls controls{bindings};
+    EXPECT_FALSE(controls.wish({{"Space", 1}, {"", 1}}, {}).jump);
 }
 
 TEST(Controls, AProjectsBindingsReplaceTheUsualOnes)

@@ -1,4 +1,4 @@
-#include "app/sound/footsteps.h"
+#include "io/scene/footsteps.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ io::Scene land()
 TEST(Footsteps, SoundAsTheGroundThatShowsMost)
 {
     const io::Scene scene = land();
-    app::Footsteps feet;
+    io::Footsteps feet;
     EXPECT_EQ(feet.soundUnder(scene, {.at = {-10, 0, 0}}), "sounds/grass.ogg");
     EXPECT_EQ(feet.soundUnder(scene, {.at = {10, 50, 0}}), "sounds/gravel.ogg");
     EXPECT_EQ(feet.soundUnder(scene, {.at = {1000, 0, 0}}), "");
@@ -37,7 +37,7 @@ TEST(Footsteps, SoundAsWhatOneStandsOn)
     const io::TemplateId bridge = scene.templateSlot("bridge"), rug = scene.templateSlot("rug");
     scene.exchange(bridge, io::Template{.name = "bridge", .steps = "sounds/wood.ogg"});
     scene.exchange(rug, io::Template{.name = "rug"});
-    app::Footsteps feet;
+    io::Footsteps feet;
     EXPECT_EQ(feet.soundUnder(scene, {.at = {-10, 0, 0}, .on = bridge}), "sounds/wood.ogg");
     EXPECT_EQ(feet.soundUnder(scene, {.at = {-10, 0, 0}, .on = rug}), "sounds/grass.ogg");
 }
@@ -45,7 +45,7 @@ TEST(Footsteps, SoundAsWhatOneStandsOn)
 TEST(Footsteps, FollowNewGround)
 {
     io::Scene scene = land();
-    app::Footsteps feet;
+    io::Footsteps feet;
     EXPECT_EQ(feet.soundUnder(scene, {.at = {-10, 0, 0}}), "sounds/grass.ogg");
     io::Terrain terrain = scene.terrain();
     terrain.layers[0].steps = "sounds/snow.ogg";
@@ -57,15 +57,15 @@ TEST(Footsteps, ComeOncePerStride)
 {
     const io::Scene scene = land();
     for (const float speed : {1.1f, 2.2f, 5.5f}) {
-        app::Footsteps feet;
+        io::Footsteps feet;
         int steps = 0;
         for (int i = 0; i < 600; ++i) // ten seconds
             steps += !feet.walk(scene, {.at = {-10, 0, 0}, .walked = speed / 60, .speed = speed}).empty();
-        EXPECT_NEAR(steps, 10 * speed / app::strideAt(speed), 1.5) << speed;
+        EXPECT_NEAR(steps, 10 * speed / io::strideAt(speed), 1.5) << speed;
         EXPECT_GT(steps, 11);
         EXPECT_LT(steps, 32);
     }
-    app::Footsteps feet;
+    io::Footsteps feet;
     for (int i = 0; i < 600; ++i) // in the air
         EXPECT_EQ(feet.walk(scene, {.at = {-10, 0, 0}, .walked = 0, .speed = 5}), "");
 }

@@ -151,17 +151,19 @@ TEST_F(Files, ASceneIsChecked)
 {
     write("sounds/fire.wav", 0.2, tone);
     writeText("sounds/text.ogg", "not a sound");
+    std::filesystem::create_directory(folder / "templates");
+    writeText("templates/fire.json", "{\n\"sound\": 1,\n\"what\": \"sounds/gone.ogg\"\n}\n");
     io::Template what{.name = "fire", .sound = {.file = "sounds/fire.wav"}};
     what.trigger.actions = {{.action = io::TriggerDo::PlaySound, .what = "sounds/gone.ogg"}, {.action = io::TriggerDo::Message, .what = "hello"}};
     addTemplate(what);
     scene.exchange(io::Terrain{.layers = {{.name = "Meadow", .steps = "sounds/text.ogg"}}});
     io::Complaints complaints;
-    app::checkSounds(scene, folder, complaints);
+    app::checkSounds(scene, folder, "scenes/main.scene.json", complaints);
     ASSERT_EQ(complaints.size(), 2u);
-    EXPECT_EQ(complaints[0].where, "sounds/gone.ogg");
-    EXPECT_NE(complaints[0].what.find("trigger of template fire"), std::string::npos);
-    EXPECT_EQ(complaints[1].where, "sounds/text.ogg");
-    EXPECT_NE(complaints[1].what.find("terrain layer Meadow"), std::string::npos);
+    EXPECT_EQ(complaints[0].where, (folder / "templates/fire.json").string() + ":3");
+    EXPECT_TRUE(complaints[0].what.starts_with("trigger.actions: sounds/gone.ogg: ")) << complaints[0].what;
+    EXPECT_EQ(complaints[1].where, (folder / "scenes/main.scene.json").string() + ":1");
+    EXPECT_TRUE(complaints[1].what.starts_with("terrain.layers: sounds/text.ogg: ")) << complaints[1].what;
 }
 
 } // namespace
