@@ -12,7 +12,6 @@
 namespace play {
 namespace {
 
-constexpr int kParts = 2;              // of a step, in each of which Bullet looks for contacts: stacks stay stiffer
 constexpr int kLookEvery = 16;         // steps between two looks at what is near the player
 constexpr double kGravity = 9.81;      // m/s2
 constexpr double kFastest = 120;       // m/s
@@ -20,9 +19,11 @@ constexpr double kSpins = 40;          // rad/s
 constexpr double kSeen = 1.0;          // m around a body in which what stands is known
 constexpr double kSunk = 0.012;        // m in the ground, deeper than which a body is lifted
 constexpr double kLost = 200;          // m below the ground or the start, where a fall ends
+constexpr double kLooked = 0.01;       // m in a step, farther than which it is asked whether a centre went into something
 constexpr double kLightest = 0.05, kHeaviest = 1e5; // kg
-constexpr double kRestSpeed = 0.12, kRestSpin = 0.2; // m/s, rad/s; slower for a while, a body falls asleep
+constexpr double kRestSpeed = 0.3, kRestSpin = 0.5; // m/s, rad/s; slower for a while, a body falls asleep
 constexpr double kRestAfter = 0.6;     // s
+constexpr double kDamping = 0.02, kSpinDamping = 0.1; // share of speed and spin lost in a second
 
 bool finite(const glm::dvec3& v)
 {
@@ -60,6 +61,13 @@ btScalar mostRolling(const btCollisionObject* a, const btCollisionObject* b)
     return std::max(a->getRollingFriction(), b->getRollingFriction());
 }
 
+btDefaultCollisionConstructionInfo roomForGround()
+{
+    btDefaultCollisionConstructionInfo info;
+    info.m_customCollisionAlgorithmMaxElementSize = kGroundContactsSize;
+    return info;
+}
+
 // As Bullet's own, but for the ground, which has contacts of its own making.
 void collide(btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info)
 {
@@ -94,7 +102,7 @@ struct Bodies::Body {
 };
 
 struct Bodies::World {
-    btDefaultCollisionConfiguration configuration;
+    btDefaultCollisionConfiguration configuration{roomForGround()};
     btCollisionDispatcher dispatcher{&configuration};
     btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver solver;
@@ -115,8 +123,8 @@ struct Bodies::World {
         dispatcher.setNearCallback(collide);
         world.setGravity({0, -kGravity, 0});
         world.setForceUpdateAllAabbs(false);
-        world.getSolverInfo().m_numIterations = 16;
         world.getDispatchInfo().m_useContinuous = true;
+        world.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS; // or heaps creep
     }
     ~World()
     {
@@ -237,14 +245,13 @@ void Bodies::join(Body& body)
     info.m_startWorldTransform = btTransform{bullet(turn), bullet(body.now.position + turn * body.bulk->centre)};
     info.m_friction = within(value->body.friction, 0, 4);
     info.m_restitution = within(value->body.bounce, 0, 0.95);
-    info.m_linearDamping = 0.02;
-    info.m_angularDamping = 0.1;
+    info.m_linearDamping = kDamping;
+    info.m_angularDamping = kSpinDamping;
     info.m_linearSleepingThreshold = kRestSpeed;
     info.m_angularSleepingThreshold = kRestSpin;
     body.rigid = std::make_unique<btRigidBody>(info);
     body.rigid->setUserPointer(body.bulk.get());
-    body.rigid->setRollingFriction(0.02); // barrels and logs come to rest
-    body.rigid->setSpinningFriction(0.01);
+    if (body.bulk->rim > 0) body.rigid->setRollingFriction(0.02); // what is round comes to rest
     body.rigid->setCcdMotionThreshold(body.bulk->inner * 0.5);
     body.rigid->setCcdSweptSphereRadius(body.bulk->inner * 0.8);
     body.rigid->setLinearVelocity(body.velocity);
@@ -358,7 +365,7 @@ void Bodies::keepOut(Body& body, const glm::dvec3& before)
         const glm::dvec3 velocity = plain(rigid.getLinearVelocity());
         rigid.setLinearVelocity(bullet(velocity - normal * std::min(0.0, glm::dot(velocity, normal))));
     };
-    if (const double length = glm::length(at - before); length > body.bulk->inner) {
+    if (glm::length(at - before) > kLooked) {
         btCollisionWorld::ClosestRayResultCallback ray{bullet(before), bullet(at)};
         ray.m_collisionFilterGroup = btBroadphaseProxy::DefaultFilter;
         ray.m_collisionFilterMask = btBroadphaseProxy::StaticFilter;
@@ -421,8 +428,7 @@ void Bodies::step(const Walker& walker)
     std::vector<char> awake;
     for (const auto& [body, before] : active)
         awake.push_back(body->rigid->isActive());
-    for (int i = 0; i < kParts; ++i)
-        m_world->world.stepSimulation(kStep / kParts, 0);
+    m_world->world.stepSimulation(kStep, 0);
     m_lost.clear();
     for (std::size_t i = 0; i < active.size(); ++i) {
         auto& [body, before] = active[i];

@@ -42,9 +42,11 @@ public:
         if (!ground || m_at.y > *ground) {
             btVector3 low, high;
             body->getCollisionShape()->getAabb(body->getWorldTransform(), low, high);
-            if (m_bulk.rim > 0) balls(*result);
-            else corners(*result);
-            ridges(plain(low), plain(high), *result);
+            if (reaches(plain(low), plain(high))) {
+                if (m_bulk.rim > 0) balls(*result);
+                else corners(*result);
+                ridges(*result);
+            }
         }
         result->refreshContactPoints();
     }
@@ -78,6 +80,21 @@ private:
     }
     bool touches(double distance) const { return distance < kReach && distance > -std::max(kDeep, m_bulk.inner); }
 
+    // Notes over which texels the body is, and whether any of them comes up to it.
+    bool reaches(const glm::dvec3& low, const glm::dvec3& high)
+    {
+        m_low = low;
+        m_high = high;
+        const glm::dvec2 last{m_map.size - 1};
+        const auto texel = [&](const glm::dvec3& at) { return (glm::dvec2{at.x, at.z} - m_map.origin) / m_map.metresPerTexel; };
+        m_from = glm::ivec2{glm::clamp(glm::floor(texel(low)), glm::dvec2{0}, last)};
+        m_to = glm::ivec2{glm::clamp(glm::ceil(texel(high)), glm::dvec2{0}, last)};
+        for (int z = m_from.y; z <= m_to.y; ++z)
+            for (int x = m_from.x; x <= m_to.x; ++x)
+                if (m_map.at(x, z) + kReach > low.y) return true;
+        return false;
+    }
+
     void corners(btManifoldResult& result) const
     {
         for (const glm::dvec3& local : m_bulk.corners) {
@@ -105,38 +122,35 @@ private:
         }
     }
     // Edges between cells where the ground bends down on both sides.
-    void ridges(const glm::dvec3& low, const glm::dvec3& high, btManifoldResult& result) const
+    void ridges(btManifoldResult& result) const
     {
-        const glm::dvec2 last{m_map.size - 1};
-        const auto texel = [&](const glm::dvec3& at) { return (glm::dvec2{at.x, at.z} - m_map.origin) / m_map.metresPerTexel; };
-        const glm::ivec2 from{glm::clamp(glm::floor(texel(low)), glm::dvec2{0}, last)}, to{glm::clamp(glm::ceil(texel(high)), glm::dvec2{0}, last)};
         const auto has = [&](int x, int z) { return x >= 0 && z >= 0 && x <= m_map.size.x - 1 && z <= m_map.size.y - 1; };
         const auto ridge = [&](glm::ivec2 a, glm::ivec2 b, glm::ivec2 left, glm::ivec2 right) {
             if (!has(b.x, b.y) || !has(a.x, a.y) || !has(left.x, left.y) || !has(right.x, right.y)) return;
             const glm::dvec3 p = corner(a.x, a.y), q = corner(b.x, b.y);
-            if (std::max(p.y, q.y) < low.y || m_map.at(left.x, left.y) + m_map.at(right.x, right.y) > p.y + q.y - kFlat) return;
+            if (std::max(p.y, q.y) < m_low.y - kReach || m_map.at(left.x, left.y) + m_map.at(right.x, right.y) > p.y + q.y - kFlat) return;
             const glm::dvec3 l = corner(left.x, left.y), r = corner(right.x, right.y);
             const auto up = [](glm::dvec3 n) { return glm::normalize(n.y < 0 ? -n : n); };
-            along(p, q, glm::normalize(up(glm::cross(q - p, l - p)) + up(glm::cross(q - p, r - p))), low, high, result);
+            along(p, q, glm::normalize(up(glm::cross(q - p, l - p)) + up(glm::cross(q - p, r - p))), result);
         };
-        for (int z = from.y; z <= to.y; ++z)
-            for (int x = from.x; x <= to.x; ++x) {
+        for (int z = m_from.y; z <= m_to.y; ++z)
+            for (int x = m_from.x; x <= m_to.x; ++x) {
                 ridge({x, z}, {x + 1, z}, {x + 1, z - 1}, {x, z + 1});
                 ridge({x, z}, {x, z + 1}, {x - 1, z + 1}, {x + 1, z});
                 ridge({x + 1, z}, {x, z + 1}, {x, z}, {x + 1, z + 1});
             }
     }
-    void along(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& normal, const glm::dvec3& low, const glm::dvec3& high, btManifoldResult& result) const
+    void along(const glm::dvec3& p, const glm::dvec3& q, const glm::dvec3& normal, btManifoldResult& result) const
     {
         // The part of the edge over which the body is.
         double from = 0, to = 1;
         for (const int axis : {0, 2}) {
             const double way = q[axis] - p[axis];
             if (std::abs(way) < 1e-9) {
-                if (p[axis] < low[axis] || p[axis] > high[axis]) return;
+                if (p[axis] < m_low[axis] || p[axis] > m_high[axis]) return;
                 continue;
             }
-            const double a = (low[axis] - p[axis]) / way, b = (high[axis] - p[axis]) / way;
+            const double a = (m_low[axis] - p[axis]) / way, b = (m_high[axis] - p[axis]) / way;
             from = std::max(from, std::min(a, b));
             to = std::min(to, std::max(a, b));
         }
@@ -171,9 +185,12 @@ private:
     const io::Scene& m_scene;
     const io::HeightMap& m_map;
     btPersistentManifold* m_manifold;
-    glm::dvec3 m_at{0};
+    glm::dvec3 m_at{0}, m_low{0}, m_high{0}; // of the body at hand, and the box around it
+    glm::ivec2 m_from{0}, m_to{0};           // texels under it
     glm::dmat3 m_turn{1};
 };
+
+static_assert(sizeof(GroundContacts) <= kGroundContactsSize);
 
 } // namespace
 

@@ -11,6 +11,8 @@ class btCollisionObject;
 
 namespace play {
 
+constexpr int kGroundContactsSize = 320; // bytes, for which the pool of the dispatcher must have room
+
 // For Bullet's pair of the two, which owns it. A body whose centre is below the ground is not met: it is in a cave.
 btCollisionAlgorithm* groundContacts(btCollisionDispatcher& dispatcher, const Bulk& bulk, const btCollisionObject& body, const btCollisionObject& ground);
 
