@@ -309,6 +309,7 @@ void Bodies::placePlayer(const Walker& walker)
         w.mover = mover;
         w.player.setCollisionShape(w.playerShape.get());
         w.player.setFriction(0.4);
+        w.player.forceActivationState(ISLAND_SLEEPING);
         w.world.addCollisionObject(&w.player, btBroadphaseProxy::CharacterFilter, btBroadphaseProxy::DefaultFilter);
     }
     const int flags = btCollisionObject::CF_STATIC_OBJECT | (walker.flying() ? int(btCollisionObject::CF_NO_CONTACT_RESPONSE) : 0);
@@ -414,7 +415,7 @@ void Bodies::step(const Walker& walker)
     if (m_steps++ % kLookEvery == 0 || glm::length(walker.feet() - m_lookedFrom) > kNear / 4) comeAndGo(walker.feet());
     if (m_present.empty()) return;
     placePlayer(walker);
-    std::vector<std::pair<Body*, glm::dvec3>> active;
+    if (awake() == 0) return;
     for (Body* body : m_present) {
         btRigidBody& rigid = *body->rigid;
         if (!rigid.isActive()) continue;
@@ -423,18 +424,20 @@ void Bodies::step(const Walker& walker)
     }
     for (Body* body : m_present)
         if (body->rigid->isActive() || body->seen.empty()) lookAround(*body);
+    struct Was {
+        Body* body;
+        glm::dvec3 centre;
+        bool awake;
+    };
+    std::vector<Was> before;
     for (Body* body : m_present)
-        active.emplace_back(body, body->centre());
-    std::vector<char> awake;
-    for (const auto& [body, before] : active)
-        awake.push_back(body->rigid->isActive());
+        before.push_back({body, body->centre(), body->rigid->isActive()});
     m_world->world.stepSimulation(kStep, 0);
     m_lost.clear();
-    for (std::size_t i = 0; i < active.size(); ++i) {
-        auto& [body, before] = active[i];
-        if (!awake[i] && !body->rigid->isActive()) continue;
-        keepOut(*body, before);
-        note(*body);
+    for (const Was& was : before) {
+        if (!was.awake && !was.body->rigid->isActive()) continue;
+        keepOut(*was.body, was.centre);
+        note(*was.body);
     }
     for (const io::ObjectId id : m_lost) { // out of the world, or nowhere: back to where it began, at rest
         Body& body = *find(id);

@@ -28,6 +28,7 @@ struct Obstacles::Placed {
         object.setCollisionShape(&what);
         object.setWorldTransform(at);
         object.setCollisionFlags(btCollisionObject::CF_STATIC_OBJECT);
+        object.forceActivationState(ISLAND_SLEEPING); // or Bullet looks at what sleeps on it too
         object.setFriction(1); // what moves says how it slides and how it bounces
         object.setRestitution(0);
         world.addCollisionObject(&object, btBroadphaseProxy::StaticFilter, btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter);
