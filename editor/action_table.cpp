@@ -306,6 +306,9 @@ void viewActions(Actions& a, Editor& e)
     a.add({.id = "reset_layout", .icon = Icon::Reset, .run = [&e] { e.workspace().reset(); }});
     a.add({.id = "play", .keys = {.key = Key::F5}, .run = [&e] { e.host().play(false); }, .enabled = open});
     a.add({.id = "play_start", .keys = {.key = Key::F5, .shift = true}, .run = [&e] { e.host().play(true); }, .enabled = open});
+    a.add({.id = "keep_play",
+           .run = [&e] { e.dialogs().showKeepPlay(e); },
+           .enabled = [&e] { return e.document() && !playRows(*e.document(), e.playChanges()).empty(); }});
     a.add({.id = "reload_shaders",
            .keys = {.key = Key::F5, .ctrl = true},
            .run = [&e] { e.renderer()->reloadShaders(); },

@@ -69,6 +69,17 @@ io::Changes Session::takeChanges()
     return std::exchange(m_changes, {});
 }
 
+std::vector<std::pair<io::Object, std::optional<io::Object>>> Session::left() const
+{
+    std::vector<std::pair<io::Object, std::optional<io::Object>>> result;
+    for (const io::ObjectId id : differences().objects) {
+        const std::optional<io::Object>& before = m_original.at(number(id));
+        const io::Object* now = m_scene.find(id);
+        if (before && !(now && *now == *before)) result.emplace_back(*before, now ? std::optional{*now} : std::nullopt);
+    }
+    return result;
+}
+
 io::Changes Session::differences() const
 {
     io::Changes changes;

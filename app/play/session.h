@@ -38,6 +38,8 @@ public:
     long steps() const { return m_steps; }
     io::Camera camera(double share = 1) const; // between the last two steps
     io::Changes takeChanges();                 // of the scene, since the last call
+    // What stands otherwise than in the document: as it was, and as it is now, or nothing where it is hidden. In the order of ids.
+    std::vector<std::pair<io::Object, std::optional<io::Object>>> left() const;
     io::Changes differences() const;           // between the scene and the document's: a mirror shows that again after these
 
 private:

@@ -1,16 +1,19 @@
 // PlayView: walking through a world in the window. The editor lies behind it and is as it was when it comes back.
 #pragma once
 
-#include "app/play/session.h"
+#include "app/play/shape_lines.h"
 #include "app/sound/sound.h"
 #include "app/views/view.h"
-#include "editor/document.h"
+#include "editor/play_changes.h"
 #include "renderer/renderer.h"
 
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace app {
 
@@ -27,6 +30,7 @@ public:
     explicit PlayView(renderer::Renderer& renderer) : m_renderer{renderer} {}
 
     void begin(const PlayBegin& begin); // before it is woken
+    std::vector<editor::PlayChange> takeLeft() { return std::exchange(m_left, {}); } // by the last play, once
     bool wantsBack() const { return m_wantsBack; }
 
     io::Status init() override { return {}; }
@@ -53,6 +57,7 @@ private:
     void hear(double seconds);
     std::vector<renderer::Presser> pressers() const;
     glm::ivec2 pictureSize() const;
+    std::span<const renderer::Line> lines();
     void drawOverlay() const;
 
     renderer::Renderer& m_renderer;
@@ -65,10 +70,13 @@ private:
     std::optional<Coming> m_coming;
     std::deque<Trod> m_trod;
     std::deque<Message> m_messages;
+    std::vector<editor::PlayChange> m_left;
     double m_seconds = 0; // of this frame
     double m_time = 0, m_rest = 0;
     double m_scale = 1; // of the picture's sides, to keep up
     glm::dvec3 m_before{0}; // feet at the last frame
+    std::optional<play::ShapeLines> m_shapes; // while they are shown
+    std::vector<renderer::Line> m_lines;
     bool m_overlay = false, m_wantsBack = false;
 };
 
