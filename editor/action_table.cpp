@@ -312,6 +312,9 @@ void viewActions(Actions& a, Editor& e)
            .run = [&e] { e.sound.hear = !e.sound.hear; },
            .enabled = open,
            .checked = [&e] { return e.sound.hear; }});
+    a.add({.id = "keep_play",
+           .run = [&e] { e.dialogs().showKeepPlay(e); },
+           .enabled = [&e] { return e.document() && !playRows(*e.document(), e.playChanges()).empty(); }});
     a.add({.id = "reload_shaders",
            .keys = {.key = Key::F5, .ctrl = true},
            .run = [&e] { e.renderer()->reloadShaders(); },

@@ -145,6 +145,7 @@ void Editor::adopt(std::unique_ptr<Document> document)
     m_viewport.reset(); // what it draws on is about to go
     m_plantsWork.cancel();
     m_document = std::move(document);
+    m_playChanges.clear();
     m_live.forget();
     m_selection = {};
     wake();
@@ -173,6 +174,7 @@ void Editor::closeProject()
     m_viewport.reset();
     m_selection = {};
     m_document.reset();
+    m_playChanges.clear();
     m_live.forget();
 }
 
@@ -233,6 +235,13 @@ std::string Editor::title() const
     if (!m_document) return "Wold";
     return fmt::format("{} – {}{} – Wold", m_document->project().name, m_document->world().entry.name,
                        modified() ? " *" : "");
+}
+
+void Editor::offerPlayChanges(std::vector<PlayChange> changes)
+{
+    m_playChanges = std::move(changes);
+    if (!m_document || playRows(*m_document, m_playChanges).empty()) return m_playChanges.clear();
+    m_toasts.add(io::log::Level::Info, trf("message.play_changed", m_playChanges.size()));
 }
 
 void Editor::requestClose()

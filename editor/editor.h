@@ -55,6 +55,10 @@ public:
 
     bool modified() const;     // against what is on disk; a look that is still coming counts
     std::string title() const; // "Valley – main * – Wold"
+    // What a play left other than it was: said in passing, and kept for when the person asks for it.
+    void offerPlayChanges(std::vector<PlayChange> changes);
+    const std::vector<PlayChange>& playChanges() const { return m_playChanges; }
+
     void requestClose();       // as by the window's cross: asks when there are unsaved changes
     bool wantsClose() const { return m_wantsClose; }
     bool pointerHidden() const { return m_viewport.pointerHidden(); } // while looking around: hide and hold it
@@ -137,6 +141,7 @@ private:
     Loading m_loading;
     ScatterWork m_plantsWork;
     std::string m_plantsName;
+    std::vector<PlayChange> m_playChanges;
     io::Value m_savedSettings;
     std::string m_editing;
     std::optional<bool> m_animates;

@@ -145,7 +145,7 @@ void viewMenu(Editor& editor)
 void toolsMenu(Editor& editor)
 {
     if (!ui::beginMenu(tr("menu.tools"))) return;
-    items(editor, {"play", "play_start", "controls", "", "tool_select", "tool_move", "tool_rotate", "tool_scale", "tool_sculpt", "tool_scatter", "", "brush_smaller", "brush_larger", "generate_ground", "reshape_ground", "", "space", "snap", "", "place",
+    items(editor, {"play", "play_start", "keep_play", "controls", "", "tool_select", "tool_move", "tool_rotate", "tool_scale", "tool_sculpt", "tool_scatter", "", "brush_smaller", "brush_larger", "generate_ground", "reshape_ground", "", "space", "snap", "", "place",
                    "place_camera", "drop", "drop_align", "", "pick_boxes", "reload_shaders"});
     ImGui::EndMenu();
 }

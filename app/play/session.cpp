@@ -10,6 +10,12 @@
 namespace play {
 namespace {
 
+void dropRepeated(std::vector<io::ObjectId>& ids)
+{
+    std::ranges::sort(ids);
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
 const io::Object* startOf(const io::Scene& scene)
 {
     const io::Object* best = nullptr;
@@ -32,7 +38,7 @@ io::Value asValue(const glm::dvec3& v)
 } // namespace
 
 Session::Session(const io::Scene& scene, const io::Assets& assets, const io::Camera& camera, bool fromMarker)
-    : m_scene{scene}, m_begin{camera}, m_surroundings{m_scene, assets}, m_walker{likesOf(scene)}
+    : m_scene{scene}, m_begin{camera}, m_surroundings{m_scene, assets}, m_bodies{m_surroundings}, m_walker{likesOf(scene)}
 {
     const io::PlayerStart& likes = m_walker.likes();
     m_third = likes.eye == io::PlayerEye::Third;
@@ -67,12 +73,25 @@ void Session::change(io::ObjectId id, std::optional<io::Object> object)
     const auto before = m_scene.exchange(id, std::move(object));
     m_original.try_emplace(number(id), before);
     m_changes.objects.push_back(id);
+    if (m_changes.objects.size() >= m_most) dropRepeated(m_changes.objects), m_most = 2 * m_changes.objects.size() + 4096;
     m_surroundings.follow({.objects = {id}});
 }
 
 io::Changes Session::takeChanges()
 {
+    dropRepeated(m_changes.objects);
     return std::exchange(m_changes, {});
+}
+
+std::vector<std::pair<io::Object, std::optional<io::Object>>> Session::left() const
+{
+    std::vector<std::pair<io::Object, std::optional<io::Object>>> result;
+    for (const io::ObjectId id : differences().objects) {
+        const std::optional<io::Object>& before = m_original.at(number(id));
+        const io::Object* now = m_scene.find(id);
+        if (before && !(now && *now == *before)) result.emplace_back(*before, now ? std::optional{*now} : std::nullopt);
+    }
+    return result;
 }
 
 io::Changes Session::differences() const
@@ -93,10 +112,21 @@ void Session::step(const Wish& wish, bool otherEye)
     carry();
     const glm::dvec3 before = m_walker.feet();
     m_walker.step(wish, m_surroundings);
-    stepSounds(m_walker.grounded() ? glm::length(m_walker.feet() - before) : 0);
+    const double walked = m_walker.grounded() ? glm::length(m_walker.feet() - before) : 0;
+    m_stoodOn = m_walker.ground();
+    stand();
+    push();
+    moveBodies();
+    carry();
+    stepSounds(walked);
     trigger();
     m_eyeNow = m_walker.eye();
     m_stoodOn = m_walker.ground();
+    stand();
+}
+
+void Session::stand()
+{
     if (const io::Object* object = m_scene.find(m_stoodOn)) m_stoodAt = object->transform;
 }
 
@@ -104,8 +134,34 @@ void Session::carry()
 {
     const io::Object* object = m_scene.find(m_stoodOn);
     if (!object || object->transform == m_stoodAt) return;
+    const glm::dquat turn = io::orientation(object->transform.rotation) * glm::inverse(io::orientation(m_stoodAt.rotation));
     m_walker.carry(io::worldFromModel(object->transform) * glm::inverse(io::worldFromModel(m_stoodAt)),
-                   object->transform.rotation.y - m_stoodAt.rotation.y, m_surroundings);
+                   std::remainder(glm::degrees(2 * std::atan2(turn.y, turn.w)), 360.0), m_surroundings);
+}
+
+// What the player runs into and can move goes on as fast as the player then does; what it stands on bears its weight.
+void Session::push()
+{
+    const double mass = double(m_walker.likes().mass);
+    for (const Touched& touched : m_walker.touched()) {
+        if (!m_bodies.holds(touched.id)) continue;
+        const double speed = m_bodies.push(touched, m_walker.feet().y, mass);
+        if (const glm::dvec3 way{-touched.normal.x, 0, -touched.normal.z}; std::abs(touched.normal.y) < 0.5)
+            m_walker.setVelocity(m_walker.velocity() + glm::normalize(way) * std::max(0.0, speed));
+    }
+    if (m_walker.grounded()) m_bodies.weigh(m_walker.ground(), m_walker.feet(), mass);
+}
+
+void Session::moveBodies()
+{
+    m_bodies.step(m_walker);
+    for (const Bodies::Moved& moved : m_bodies.moved()) {
+        const io::Object* object = m_scene.find(moved.id);
+        if (!object) continue;
+        io::Object copy = *object;
+        copy.transform = moved.transform;
+        change(moved.id, std::move(copy));
+    }
 }
 
 void Session::stepSounds(double walked)
@@ -169,7 +225,7 @@ void Session::show(const std::string& name, bool shown)
     if (shown) {
         for (const io::Object& object : std::exchange(m_hidden, {})) {
             const io::Object* group = m_scene.find(object.parent);
-            if (object.name == name || (group && group->name == name)) change(object.id, object);
+            if (object.name == name || (group && group->name == name)) change(object.id, object), m_bodies.follow(object.id);
             else m_hidden.push_back(object);
         }
         return;
@@ -182,6 +238,7 @@ void Session::show(const std::string& name, bool shown)
     for (const io::Object& object : gone) {
         m_hidden.push_back(object);
         change(object.id, std::nullopt);
+        m_bodies.follow(object.id);
     }
 }
 
@@ -204,7 +261,9 @@ io::Camera Session::camera(double share) const
 std::string traceLine(const Session& session)
 {
     const Walker& walker = session.walker();
-    io::Value::Array contacts, sounds;
+    io::Value::Array contacts, sounds, moved;
+    for (const Bodies::Moved& body : session.bodies().moved())
+        moved.push_back(io::Value::Object{{"id", double(number(body.id))}, {"position", asValue(body.transform.position)}, {"rotation", asValue(body.transform.rotation)}});
     for (const Touched& touched : walker.touched())
         contacts.push_back(io::Value::Object{{"id", double(number(touched.id))}, {"normal", asValue(touched.normal)}, {"speed", touched.speed}});
     for (const Event& event : session.events())
@@ -214,7 +273,8 @@ std::string traceLine(const Session& session)
                                            {"velocity", asValue(walker.velocity())},
                                            {"grounded", walker.grounded()},
                                            {"contacts", std::move(contacts)},
-                                           {"sounds", std::move(sounds)}}) + "\n";
+                                           {"sounds", std::move(sounds)},
+                                           {"moved", std::move(moved)}}) + "\n";
 }
 
 } // namespace play

@@ -2,6 +2,7 @@
 // The document is never touched.
 #pragma once
 
+#include "app/play/bodies.h"
 #include "app/play/controls.h"
 #include "app/play/walker.h"
 #include "io/scene/camera.h"
@@ -33,10 +34,14 @@ public:
     const io::Scene& scene() const { return m_scene; }
     const Walker& walker() const { return m_walker; }
     Surroundings& surroundings() { return m_surroundings; }
+    Bodies& bodies() { return m_bodies; }
+    const Bodies& bodies() const { return m_bodies; }
     const std::vector<Event>& events() const { return m_events; } // of the last step
     long steps() const { return m_steps; }
     io::Camera camera(double share = 1) const; // between the last two steps
     io::Changes takeChanges();                 // of the scene, since the last call
+    // What stands otherwise than in the document: as it was, and as it is now, or nothing where it is hidden. In the order of ids.
+    std::vector<std::pair<io::Object, std::optional<io::Object>>> left() const;
     io::Changes differences() const;           // between the scene and the document's: a mirror shows that again after these
 
 private:
@@ -46,7 +51,10 @@ private:
         bool inside = false, done = false;
     };
     void change(io::ObjectId id, std::optional<io::Object> object);
-    void carry();
+    void stand(); // notes where what the player stands on is
+    void carry(); // the player by what that has moved since
+    void push();
+    void moveBodies();
     void findTriggers();
     void trigger();
     bool insideOf(const io::Object& object, const io::Trigger& trigger) const;
@@ -58,12 +66,14 @@ private:
     io::Scene m_scene;
     io::Camera m_begin;
     Surroundings m_surroundings;
+    Bodies m_bodies;
     Walker m_walker;
     std::vector<Place> m_triggers;
     std::vector<Event> m_events;
     std::unordered_map<std::uint32_t, std::optional<io::Object>> m_original; // what the document holds of what changed
     std::vector<io::Object> m_hidden;
     io::Changes m_changes;
+    std::size_t m_most = 4096; // of m_changes, before repeated ones are looked for
     io::ObjectId m_stoodOn = io::ObjectId::None;
     io::Transform m_stoodAt;
     glm::dvec3 m_eyeBefore{0}, m_eyeNow{0};
@@ -72,7 +82,7 @@ private:
     long m_steps = 0;
 };
 
-// One JSON object: step, position, velocity, grounded, contacts, sounds.
+// One JSON object: step, position, velocity, grounded, contacts, sounds, and of what moved by itself id, position and rotation.
 std::string traceLine(const Session& session);
 
 } // namespace play

@@ -83,7 +83,7 @@ void makeHull(Shape& shape, const std::vector<glm::vec3>& points)
 Shape shapeOf(const io::Template& value, const io::Model& model)
 {
     Shape shape;
-    if (value.collision == io::Collision::None || model.indices.empty()) return shape;
+    if (!isMet(value) || model.indices.empty()) return shape;
     std::vector<std::uint32_t> indices = solidIndices(model);
     std::vector<glm::vec3> points;
     for (const std::uint32_t i : indices)
@@ -102,6 +102,7 @@ Shape shapeOf(const io::Template& value, const io::Model& model)
         shape.form = Form::Capsule;
         makeCapsule(shape, points, indices.size() < model.indices.size());
         return shape;
+    case io::Collision::None:
     case io::Collision::Box: shape.form = Form::Box; return shape;
     default: break;
     }

@@ -41,6 +41,11 @@ private:
     std::unique_ptr<State> m_state;
 };
 
+// What falls and rolls is met, whatever its template says: without a shape of its own it is its box.
+inline bool isMet(const io::Template& value)
+{
+    return value.collision != io::Collision::None || value.body.dynamic;
+}
 Shape shapeOf(const io::Template& value, const io::Model& model);
 
 class Shapes {

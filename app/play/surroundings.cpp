@@ -121,7 +121,7 @@ void Surroundings::index()
     std::unordered_map<std::uint32_t, io::WorldBox> boxOf;
     for (const io::Object& object : m_scene.objects()) {
         const io::Template* value = m_scene.find(object.templateId);
-        if (!value || value->collision == io::Collision::None || !finite(object.transform)) continue;
+        if (!value || !isMet(*value) || !finite(object.transform)) continue;
         ids.push_back(object.id);
         boxes.push_back(io::worldBounds(m_assets, object));
         boxOf.emplace(number(object.id), boxes.back());
@@ -141,7 +141,7 @@ void Surroundings::follow(const io::Changes& changes)
         m_solids.erase(number(id));
         const io::Object* object = m_scene.find(id);
         const io::Template* value = object ? m_scene.find(object->templateId) : nullptr;
-        if (value && value->collision != io::Collision::None && finite(object->transform)) m_tree.set(id, io::worldBounds(m_assets, *object));
+        if (value && isMet(*value) && finite(object->transform)) m_tree.set(id, io::worldBounds(m_assets, *object));
         else m_tree.remove(id);
     }
     if (changes.scatter) m_grids.clear();
@@ -159,8 +159,20 @@ const std::vector<Thing>& Surroundings::find(const io::WorldBox& box)
     std::ranges::sort(m_ids);
     for (const io::ObjectId id : m_ids)
         addObject(id, box, m_found);
-    addInstances(box);
+    // What was made of an instance before is told apart by where it stands: numbers are used again.
+    eachInstance(box, [&](const Standing& thing) { add(thing.id, thing.templateId, thing.transform, box, m_found); });
     return m_found;
+}
+
+void Surroundings::standing(const io::WorldBox& box, std::vector<Standing>& things)
+{
+    const std::size_t first = things.size();
+    m_tree.touching(box, [&](const auto& item) {
+        const io::Object& object = m_scene.at(item.value);
+        things.push_back({object.id, object.templateId, object.transform});
+    });
+    std::sort(things.begin() + std::ptrdiff_t(first), things.end(), [](const Standing& a, const Standing& b) { return a.id < b.id; });
+    eachInstance(box, [&](const Standing& thing) { things.push_back(thing); });
 }
 
 void Surroundings::addObject(io::ObjectId id, const io::WorldBox& box, std::vector<Thing>& things)
@@ -224,7 +236,8 @@ const Surroundings::Grid& Surroundings::gridOf(const io::LayerTile& at)
     std::vector<double> reaches;
     for (io::TemplateId& id : templates) {
         const Shape& shape = m_shapes.of(id);
-        if (shape.form == Form::None) id = io::TemplateId::None;
+        // What could fall does so as an object; planted by the thousand it stands, as its collision says.
+        if (const io::Template* value = m_scene.find(id); shape.form == Form::None || value->collision == io::Collision::None) id = io::TemplateId::None;
         reaches.push_back(id == io::TemplateId::None ? 0 : glm::length(glm::max(glm::abs(glm::dvec3{shape.box.min}), glm::abs(glm::dvec3{shape.box.max}))));
     }
     std::uint32_t number = io::number(m_scene.idOf({at, 0}));
@@ -240,7 +253,7 @@ const Surroundings::Grid& Surroundings::gridOf(const io::LayerTile& at)
     return *kept;
 }
 
-void Surroundings::addInstances(const io::WorldBox& box)
+void Surroundings::eachInstance(const io::WorldBox& box, const std::function<void(const Standing&)>& visit)
 {
     if (m_grids.size() > kMostKept) m_grids.clear();
     for (const io::ScatterLayer& layer : m_scene.scatterLayers()) {
@@ -257,10 +270,8 @@ void Surroundings::addInstances(const io::WorldBox& box)
                 const glm::dvec2 high = (glm::dvec2{box.max.x, box.max.z} + grid.reach - corner) / double(kGridCell);
                 for (int z = std::max(0, int(std::floor(low.y))); z <= std::min(kGridSide - 1, int(std::floor(high.y))); ++z)
                     for (int x = std::max(0, int(std::floor(low.x))); x <= std::min(kGridSide - 1, int(std::floor(high.x))); ++x)
-                        for (const Grid::Entry& entry : grid.cells[std::size_t(z * kGridSide + x)]) {
-                            // What was made of it before is told apart by where it stands: numbers are used again.
-                            add(entry.id, entry.templateId, io::transformOf(t, grid.tile->instances[entry.index]), box, m_found);
-                        }
+                        for (const Grid::Entry& entry : grid.cells[std::size_t(z * kGridSide + x)])
+                            visit({entry.id, entry.templateId, io::transformOf(t, grid.tile->instances[entry.index])});
             }
     }
 }

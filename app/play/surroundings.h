@@ -6,12 +6,20 @@
 #include "app/play/shapes.h"
 #include "io/scene/scene_tree.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <unordered_map>
 #include <vector>
 
 namespace play {
+
+// An object or a planted instance that can be run into.
+struct Standing {
+    io::ObjectId id = io::ObjectId::None;
+    io::TemplateId templateId = io::TemplateId::None;
+    io::Transform transform;
+};
 
 class Surroundings {
 public:
@@ -22,6 +30,8 @@ public:
     void follow(const io::Changes& changes);
     // Things whose boxes touch `box`, in an order that depends on the scene alone. They hold until the next follow() or find().
     const std::vector<Thing>& find(const io::WorldBox& box);
+    // Which things there are around `box`, and those a little farther off; in an order that depends on the scene alone.
+    void standing(const io::WorldBox& box, std::vector<Standing>& things);
     // As they are now, whatever was moved; for the pictures of shapes.
     void addObject(io::ObjectId id, const io::WorldBox& box, std::vector<Thing>& things);
 
@@ -34,7 +44,7 @@ private:
     void index();
     void addGround(const io::WorldBox& box);
     void addEdges(const io::WorldBox& box);
-    void addInstances(const io::WorldBox& box);
+    void eachInstance(const io::WorldBox& box, const std::function<void(const Standing&)>& visit);
     void add(io::ObjectId id, io::TemplateId templateId, const io::Transform& transform, const io::WorldBox& box, std::vector<Thing>& things);
     void addMesh(io::ObjectId id, io::TemplateId templateId, const glm::dmat4& world, const io::WorldBox& box, std::vector<Thing>& things);
     const Thing& solidOf(io::ObjectId id, const Shape& shape, const io::Transform& transform);

@@ -24,6 +24,7 @@ constexpr double kTrodApart = 0.35;   // m
 constexpr double kStaysDown = 0.5;    // s until grass has got up by 1 - 1/e
 constexpr double kSwings = 7;         // rad/s, of grass that springs back
 constexpr double kHintStays = 5;      // s
+constexpr glm::vec4 kShapeColours[]{{0.35f, 0.8f, 1, 0.8f}, {1, 0.6f, 0.15f, 0.95f}, {0.4f, 1, 0.4f, 0.9f}}; // sRGB, of play::LineOf
 
 } // namespace
 
@@ -35,6 +36,7 @@ void PlayView::begin(const PlayBegin& begin)
     m_now.reset();
     m_coming.reset();
     m_trod.clear();
+    m_shapes.reset();
     m_messages = {{editor::tr("play.hint"), kHintStays}};
     m_controls = play::Controls{begin.document->project().controls};
     m_session.emplace(begin.document->scene(), begin.document->assets(), begin.camera, begin.fromMarker);
@@ -134,6 +136,10 @@ void PlayView::runImGui()
 {
     if (editor::pressed(editor::Key::Escape)) m_wantsBack = true;
     if (editor::pressed(editor::Key::F3)) m_overlay = !m_overlay;
+    if (editor::pressed(editor::Key::F4)) {
+        if (m_shapes) m_shapes.reset();
+        else m_shapes.emplace();
+    }
     const ImGuiIO& io = ImGui::GetIO();
     const play::Held now = held();
     glm::dvec2 turned = glm::dvec2{-double(io.MouseDelta.x), -double(io.MouseDelta.y)} * play::kTurnOfPixel;
@@ -160,12 +166,23 @@ void PlayView::runImGui()
     in.time = m_time;
     in.environment = m_now;
     in.pressers = pressed;
+    in.lines = lines();
     in.markers = false;
     in.ids = false;
     const renderer::Picture picture = m_renderer.render(in);
     ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(picture.texture), {0, 0}, io.DisplaySize, {0, 1}, {1, 0});
     drawOverlay();
     if (!m_begin.repeatable && m_seconds > 0) m_scale = std::clamp(m_scale * std::clamp(std::sqrt(kFastEnough / m_seconds), 0.85, 1.04), kCoarsest, 1.0);
+}
+
+// What can be run into, what moves by itself, and the player.
+std::span<const renderer::Line> PlayView::lines()
+{
+    m_lines.clear();
+    if (!m_shapes) return m_lines;
+    for (const play::ShapeLine& line : m_shapes->around(*m_session))
+        m_lines.push_back({line.from, line.to, kShapeColours[std::size_t(line.of)]});
+    return m_lines;
 }
 
 void PlayView::drawOverlay() const
@@ -204,6 +221,8 @@ void PlayView::stop()
 {
     if (!m_session) return;
     m_sound.reset();
+    for (auto& [before, after] : m_session->left())
+        m_left.push_back({before, after});
     const io::Changes back = m_session->differences();
     if (!back.none()) m_renderer.update(m_begin.document->scene(), m_begin.document->assets(), back);
     m_session.reset();

@@ -2,17 +2,20 @@
 #pragma once
 
 #include "app/pads.h"
-#include "app/play/session.h"
+#include "app/play/shape_lines.h"
 #include "app/sound/sound.h"
 #include "app/views/view.h"
-#include "editor/document.h"
+#include "editor/play_changes.h"
 #include "editor/sound_settings.h"
 #include "renderer/renderer.h"
 
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace app {
 
@@ -30,6 +33,7 @@ public:
     PlayView(renderer::Renderer& renderer, const Pads& pads) : m_renderer{renderer}, m_pads{pads} {}
 
     void begin(const PlayBegin& begin); // before it is woken
+    std::vector<editor::PlayChange> takeLeft() { return std::exchange(m_left, {}); } // by the last play, once
     bool wantsBack() const { return m_wantsBack; }
 
     io::Status init() override { return {}; }
@@ -56,6 +60,7 @@ private:
     void hear(double seconds);
     std::vector<renderer::Presser> pressers() const;
     glm::ivec2 pictureSize() const;
+    std::span<const renderer::Line> lines();
     void drawOverlay() const;
 
     renderer::Renderer& m_renderer;
@@ -69,10 +74,13 @@ private:
     std::optional<Coming> m_coming;
     std::deque<Trod> m_trod;
     std::deque<Message> m_messages;
+    std::vector<editor::PlayChange> m_left;
     double m_seconds = 0; // of this frame
     double m_time = 0, m_rest = 0;
     double m_scale = 1; // of the picture's sides, to keep up
     glm::dvec3 m_before{0}; // feet at the last frame
+    std::optional<play::ShapeLines> m_shapes; // while they are shown
+    std::vector<renderer::Line> m_lines;
     bool m_overlay = false, m_wantsBack = false;
 };
 

@@ -16,8 +16,10 @@ void ViewManager::show(View& view)
 {
     if (m_now == &view) return;
     if (m_now) m_now->stop();
+    const bool played = playing();
     m_now = &view;
     view.wake();
+    if (played) m_edit.editor().offerPlayChanges(m_play.takeLeft());
 }
 
 void ViewManager::frame(double seconds, const std::function<void()>& beginImGui)

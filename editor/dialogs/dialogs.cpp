@@ -29,6 +29,8 @@ void Dialogs::draw(Editor& editor)
         return drawImportHeights(editor);
     case Which::ExportHeights:
         return drawExportHeights(editor);
+    case Which::KeepPlay:
+        return drawKeepPlay(editor);
     case Which::Keys:
         return drawKeys(editor);
     case Which::Message:

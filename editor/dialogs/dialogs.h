@@ -1,8 +1,10 @@
-// Dialogs: what asks a person before going on: open, new, save as, heights in and out, unsaved changes, messages, the list of keys.
+// Dialogs: what asks a person before going on: open, new, save as, heights in and out, what to keep of a play, unsaved changes, messages,
+// the list of keys.
 // One is shown at a time; messages wait their turn.
 #pragma once
 
 #include "editor/dialogs/height_dialogs.h"
+#include "editor/play_changes.h"
 
 #include <deque>
 #include <functional>
@@ -19,6 +21,7 @@ public:
     void showSaveAs(Editor& editor);
     void showImportHeights(Editor& editor);
     void showExportHeights(Editor& editor);
+    void showKeepPlay(Editor& editor);
     void showKeys() { m_which = Which::Keys; }
     void showMessage(std::string title, std::string text) { m_messages.push_back({std::move(title), std::move(text)}); }
     // Runs `then` at once when nothing is unsaved; otherwise after Save or Discard, and not at all after Cancel.
@@ -31,7 +34,7 @@ public:
     bool any() const { return m_which != Which::None || !m_messages.empty(); }
 
 private:
-    enum class Which { None, Open, New, SaveAs, ImportHeights, ExportHeights, Keys, Message, AskToSave, Confirm };
+    enum class Which { None, Open, New, SaveAs, ImportHeights, ExportHeights, KeepPlay, Keys, Message, AskToSave, Confirm };
     struct Message {
         std::string title, text;
     };
@@ -43,6 +46,8 @@ private:
     void drawSaveAs(Editor& editor);
     void drawImportHeights(Editor& editor);
     void drawExportHeights(Editor& editor);
+    void drawKeepPlay(Editor& editor);
+    void drawKeepRow(Editor& editor, PlayRow& row);
     void drawKeys(Editor& editor);
     void drawMessage();
     void drawAskToSave(Editor& editor);
@@ -54,6 +59,7 @@ private:
     FolderBrowser m_browser;
     HeightImportForm m_import;
     HeightExportForm m_export;
+    std::vector<PlayRow> m_rows; // of what to keep
     std::string m_name; // of the folder to make
     int m_starter = 0;
     std::string m_fault; // shown in the dialog
