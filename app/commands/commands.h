@@ -9,6 +9,7 @@ int execute(const Options& options);
 
 int edit(const Options& options);
 int play(const Options& options);
+int playInWindow(const Options& options);
 int render(const Options& options);
 int pick(const Options& options);
 int runScript(const Options& options);

@@ -1,4 +1,5 @@
-// wold edit: the editor in a window, or, with --replay, the same editor fed from a file and drawn into pictures.
+// wold edit: the editor in a window, or, with --replay, the same editor fed from a file and drawn into pictures. And wold play in a
+// window, which is the same one with the editor behind it that nobody comes back to.
 #include "app/commands/commands.h"
 #include "app/folder_watch.h"
 #include "app/imgui_host.h"
@@ -151,6 +152,15 @@ public:
     {
     }
 
+    void play() // until the person has had enough
+    {
+        m_view.playAtOnce();
+        for (bool played = false; !m_window.closeAsked() && (m_views.playing() || !played); played = played || m_views.playing()) {
+            m_window.takeEvents();
+            frame();
+        }
+    }
+
     void run()
     {
         while (!m_view.editor().wantsClose()) {
@@ -219,7 +229,9 @@ private:
     std::uint64_t m_frames = 0, m_framesAtRest = 0;
 };
 
-int openWindow(const Options& options)
+enum class Purpose { Edit, Play };
+
+int openWindow(const Options& options, Purpose purpose)
 {
     renderer::Settings drawing; // the words of --set are checked before a window appears
     if (const int code = applyToDrawing(options, drawing)) return code;
@@ -227,17 +239,25 @@ int openWindow(const Options& options)
     if (!options.record.empty()) recorder.emplace(options.record);
     if (recorder && !recorder->open())
         return fault({options.record.string(), "cannot be written; name a file in a folder that exists"});
+    std::unique_ptr<editor::Document> document; // of an editor the window opens it, where a fault is a message
+    if (purpose == Purpose::Play) {
+        auto opened = openAsAsked(options);
+        if (const int* code = std::get_if<int>(&opened)) return *code;
+        document = std::move(std::get<Opened>(opened).document);
+    }
     Settings settings = settingsFor(options);
     auto window = Window::create({.size = options.sizeGiven ? options.size : glm::ivec2{1600, 900}});
     if (!window) return fault(window.error());
     auto renderer = makeRenderer();
     if (!renderer) return fault(renderer.error());
     ImguiHost host{window->get(), (*window)->scale() * settings.uiScale()};
-    EditView view{options, **renderer, settings, **window};
+    EditView view{options, **renderer, settings, **window, std::move(document)};
     PlayView walk{**renderer, **window};
     ViewManager views{view, walk};
     if (const io::Status ready = views.init(); !ready) return fault(ready.error());
-    Loop{**window, host, views, view, settings, recorder ? &*recorder : nullptr}.run();
+    Loop loop{**window, host, views, view, settings, recorder ? &*recorder : nullptr};
+    if (purpose == Purpose::Play) loop.play();
+    else loop.run();
     views.stop();
     views.burn();
     return 0;
@@ -253,7 +273,15 @@ int edit(const Options& options)
     if (!hasDisplay())
         return fault(
             {"display", "there is none (DISPLAY, WAYLAND_DISPLAY); use --replay FILE, or wold render for pictures"});
-    return openWindow(options);
+    return openWindow(options, Purpose::Edit);
+}
+
+int playInWindow(const Options& options)
+{
+    if (options.headless || !hasDisplay())
+        return fault({"display", options.headless ? "--headless shows nothing to play in; name what is pressed with --input FILE"
+                                                  : "there is none (DISPLAY, WAYLAND_DISPLAY); name what is pressed with --input FILE"});
+    return openWindow(options, Purpose::Play);
 }
 
 } // namespace app

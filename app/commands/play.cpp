@@ -1,4 +1,4 @@
-// wold play: the game without the editor. With --input the same steps on every machine, without a window.
+// wold play: the game without the editor, in a window (edit.cpp). With --input the same steps on every machine, without one.
 #include "app/commands/commands.h"
 #include "app/opened.h"
 #include "app/play/session.h"
@@ -71,7 +71,7 @@ double msSince(Clock::time_point start)
 
 int play(const Options& options)
 {
-    if (options.input.empty()) return misuse("play needs --input EVENTS.jsonl; in the editor's window F5 plays");
+    if (options.input.empty()) return playInWindow(options);
     auto steps = readReplay(options.input);
     if (!steps) return fault(steps.error());
     auto opened = openAsAsked(options);

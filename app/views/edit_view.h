@@ -29,6 +29,7 @@ public:
 
     editor::Editor& editor() { return *m_editor; }
     std::optional<PlayBegin> takePlay(); // once, after the person asked to play
+    void playAtOnce(); // as asked on the command line: from the start marker, unless that names a view; nobody comes back to the editor
     void frameTook(double seconds); // in the window: quality "auto" steps down while drawing is too slow to work with
     bool hears() const { return m_sound.on(); } // hear() is to be called, though nothing is drawn
     void hear();
@@ -68,6 +69,7 @@ private:
     double m_seconds = 0;
     std::optional<Quality> m_lower; // the next step down of "auto"
     int m_slowFrames = 0;
+    bool m_alone = false; // it is only played
     std::optional<bool> m_play; // asked for; whether from the start marker
 };
 

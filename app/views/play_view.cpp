@@ -37,7 +37,7 @@ void PlayView::begin(const PlayBegin& begin)
     m_coming.reset();
     m_trod.clear();
     m_shapes.reset();
-    m_messages = {{editor::tr("play.hint"), kHintStays}};
+    m_messages = {{editor::tr(begin.alone ? "play.hint_alone" : "play.hint"), kHintStays}};
     m_controls = play::Controls{begin.document->project().controls};
     m_session.emplace(begin.document->scene(), begin.document->assets(), begin.camera, begin.fromMarker);
     m_before = m_session->walker().feet();

@@ -24,6 +24,7 @@ struct PlayBegin {
     io::Camera camera;
     bool fromMarker = false;   // begins at the world's start marker, if it has one
     bool repeatable = false;   // no sound, and pictures in full size however long they take
+    bool alone = false;        // Escape ends the program: there is no editor to come back to
     renderer::Settings drawing;
     editor::SoundSettings sound;
 };
