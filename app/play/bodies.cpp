@@ -18,6 +18,7 @@ constexpr double kFastest = 120;       // m/s
 constexpr double kSpins = 40;          // rad/s
 constexpr double kSeen = 1.0;          // m around a body in which what stands is known
 constexpr double kSunk = 0.012;        // m in the ground, deeper than which a body is lifted
+constexpr double kStands = 0.06;       // m between the ground and a corner that stands on it
 constexpr double kLost = 200;          // m below the ground or the start, where a fall ends
 constexpr double kLooked = 0.01;       // m in a step, farther than which it is asked whether a centre went into something
 constexpr double kLightest = 0.05, kHeaviest = 1e5; // kg
@@ -95,6 +96,7 @@ struct Bodies::Body {
     std::unique_ptr<btRigidBody> rigid; // null: frozen
     btVector3 velocity{0, 0, 0}, spin{0, 0, 0}; // of a frozen one
     bool asleep = false;                // likewise
+    bool met = false;                   // it has been near the player
     io::WorldBox seen;                  // what stands in there is held
     Obstacles::Held held;
 
@@ -225,6 +227,19 @@ void Bodies::changedAround(io::ObjectId id, const io::WorldBox& box)
     }
 }
 
+// As a person put it there: it stays like that until something touches it, and does not settle by itself to be another world's.
+bool Bodies::standsOnGround(const Body& body) const
+{
+    const glm::dquat turn = plain(body.rigid->getWorldTransform().getRotation());
+    std::size_t on = 0;
+    for (const glm::dvec3& corner : body.bulk->corners) {
+        const glm::dvec3 point = body.centre() + turn * corner;
+        const auto ground = io::groundHeight(m_surroundings.scene(), point.x, point.z);
+        on += ground && std::abs(point.y - body.bulk->rim - *ground) < kStands;
+    }
+    return on >= std::min<std::size_t>(3, body.bulk->corners.size());
+}
+
 void Bodies::join(Body& body)
 {
     const io::Scene& scene = m_surroundings.scene();
@@ -256,6 +271,7 @@ void Bodies::join(Body& body)
     body.rigid->setCcdSweptSphereRadius(body.bulk->inner * 0.8);
     body.rigid->setLinearVelocity(body.velocity);
     body.rigid->setAngularVelocity(body.spin);
+    if (!std::exchange(body.met, true)) body.asleep = standsOnGround(body);
     if (body.asleep) body.rigid->setActivationState(ISLAND_SLEEPING);
     m_present.insert(std::ranges::lower_bound(m_present, body.id, {}, [](const Body* other) { return other->id; }), &body);
     m_world->world.addRigidBody(body.rigid.get());

@@ -2,8 +2,8 @@
 // one stand still). The mass that a template says is that of a copy of scale 1; it grows with the copy's volume.
 //
 // Only what is near the player moves: within kNear of it; what comes to be farther than kFar away freezes where it is, in the air too,
-// and goes on when the player is near again. Of more than kMost at once the nearest ones move. What has come to rest sleeps
-// until something touches it, and costs next to nothing; what is far away costs nothing.
+// and goes on when the player is near again. Of more than kMost at once the nearest ones move. What has come to rest, or stood
+// on the ground from the beginning, sleeps until something touches it, and costs next to nothing; what is far away costs nothing.
 #pragma once
 
 #include "app/play/obstacles.h"
@@ -48,6 +48,7 @@ private:
     void add(const io::Object& object);
     void comeAndGo(const glm::dvec3& around);
     void join(Body& body);
+    bool standsOnGround(const Body& body) const;
     void leave(Body& body);
     void changedAround(io::ObjectId id, const io::WorldBox& box);
     void placePlayer(const Walker& walker);

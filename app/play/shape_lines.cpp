@@ -80,7 +80,8 @@ const std::vector<ShapeLine>& ShapeLines::around(Session& session)
     }
     const Mover mover = session.walker().mover();
     if (!mover.isBox()) {
-        addCapsule(middle, glm::dmat3{1}, 1, mover.radius, mover.stem, LineOf::Player);
+        // Turned with the eye, so that no line of it is right before that.
+        addCapsule(middle, glm::mat3_cast(io::orientation({0, float(session.walker().yaw()) + 45, 0})), 1, mover.radius, mover.stem, LineOf::Player);
     } else {
         for (int axis = 0; axis < 3; ++axis)
             for (const glm::dvec2& side : {glm::dvec2{-1, -1}, {-1, 1}, {1, -1}, {1, 1}}) {

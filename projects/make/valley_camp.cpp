@@ -60,6 +60,7 @@ void addFences(Stage& stage, io::ObjectId group, Random& random)
 
 io::ObjectId setCamp(Stage& stage)
 {
+    stage.edit("log", [](io::Template& log) { log.body = {.dynamic = true, .mass = 130, .friction = 0.7f}; });
     Random random{700};
     const io::ObjectId camp = stage.addGroup("Camp", kCamp);
     for (const Piece& piece : kPieces) {

@@ -53,6 +53,36 @@ TEST_F(Replay, playingLeavesTheEditorAndTheFilesAsTheyWere)
     EXPECT_EQ(scene(), before);
 }
 
+// A crate is pushed; the editor comes back with it where it stood, until that is ticked in the list of what changed.
+TEST_F(Replay, aPushedCrateStaysWhereItStoodUnlessThatIsKept)
+{
+    const std::string file = project + "/templates/crate.json";
+    std::string text = textOf(file);
+    text.insert(text.find("\"model\""), "\"body\": {\"dynamic\": true, \"mass\": 25},\n  ");
+    folder.write("world/templates/crate.json", text);
+    ASSERT_EQ(textOf(file), text);
+    std::string before = scene(), third = R"("template":"crate","position":[0,0,0])";
+    before.replace(before.find(third), third.size(), R"("template":"crate","position":[0,0,11])"); // near the camera
+    folder.write("world/scenes/main.scene.json", before);
+    const std::string push = "{\"wait\": 3}\n{\"keydown\": \"F5\"}\n{\"keyup\": \"F5\"}\n{\"keydown\": \"Shift\"}\n{\"keydown\": \"W\"}\n{\"wait\": 90}\n{\"keyup\": \"W\"}\n"
+                             "{\"keyup\": \"Shift\"}\n{\"keydown\": \"Escape\"}\n{\"keyup\": \"Escape\"}\n{\"wait\": 2}\n";
+    const std::string keep = "{\"click\": {\"label\": \"Tools\"}}\n{\"click\": {\"label\": \"Keep changes from play…\"}}\n{\"click\": {\"label\": \"crate 3 Position\"}}\n"
+                             "{\"click\": {\"panel\": \"dialog\", \"label\": \"Keep\"}}\n{\"wait\": 2}\n";
+    const std::string save = "{\"key\": \"Ctrl+S\"}\n{\"wait\": 2}\n";
+    const std::vector<std::string> small{"--size", "900x600", "--quality", "low"};
+    Ran ran = play(push + keep + "{\"key\": \"Ctrl+Z\"}\n{\"wait\": 1}\n" + save, small);
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(scene(), before); // one undo step
+    ran = play(push + keep + save, small);
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const std::string after = scene();
+    const auto line = [](const std::string& all, const std::string& start) { return all.substr(all.find(start), all.find('\n', all.find(start)) - all.find(start)); };
+    EXPECT_NE(after, before);
+    EXPECT_NE(line(after, "{\"id\":3,"), line(before, "{\"id\":3,"));
+    for (const char* other : {"{\"id\":1,", "{\"id\":2,", "{\"id\":4,", "{\"id\":5,"})
+        EXPECT_EQ(line(after, other), line(before, other));
+}
+
 TEST_F(Replay, aBrokenLineIsNamedBeforeAnythingIsOpened)
 {
     expectFault(play("{\"wait\": 1}\n{\"click\": [1]}\n"), "events.jsonl:2");
