@@ -306,8 +306,9 @@ void viewActions(Actions& a, Editor& e)
     a.add({.id = "reset_layout", .icon = Icon::Reset, .run = [&e] { e.workspace().reset(); }});
     a.add({.id = "play", .keys = {.key = Key::F5}, .run = [&e] { e.host().play(false); }, .enabled = open});
     a.add({.id = "play_start", .keys = {.key = Key::F5, .shift = true}, .run = [&e] { e.host().play(true); }, .enabled = open});
-    a.add({.id = "controls", .icon = Icon::Sliders, .run = [&e] { e.controlsDialog().show(); }, .enabled = open});
+    a.add({.id = "controls", .icon = Icon::Pad, .run = [&e] { e.controlsDialog().show(); }, .enabled = open});
     a.add({.id = "hear",
+           .icon = Icon::Speaker,
            .keys = {.key = Key::M},
            .run = [&e] { e.sound.hear = !e.sound.hear; },
            .enabled = open,

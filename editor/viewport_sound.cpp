@@ -80,8 +80,9 @@ void Viewport::drawSound(Editor& editor) const
         const std::string text = key && mark.handle.key < sound.falloff.size()
                                      ? trf("falloff.key", double(sound.falloff[mark.handle.key].level) * 100, double(sound.falloff[mark.handle.key].at * sound.radius))
                                      : trf("viewport.sound_radius", double(sound.radius));
-        draw.AddText({at.x + 13, at.y - 25}, IM_COL32(0, 0, 0, 200), text.c_str());
-        draw.AddText({at.x + 12, at.y - 26}, kHot, text.c_str());
+        const ImVec2 extent = ImGui::CalcTextSize(text.c_str());
+        draw.AddRectFilled({at.x + 10, at.y - 32}, {at.x + 26 + extent.x, at.y - 24 + extent.y}, IM_COL32(18, 18, 21, 190), 5);
+        draw.AddText({at.x + 18, at.y - 28}, kHot, text.c_str());
     }
 }
 

@@ -35,6 +35,7 @@ void WorldSound::end()
 void WorldSound::update(editor::Editor& editor)
 {
     const editor::Document* document = editor.document();
+    if (!editor.sound.hear) m_said.clear();
     if (!editor.sound.hear || !document) return end();
     if (m_sound && m_project != document->project().folder) end();
     if (!m_sound) begin(editor);
@@ -53,7 +54,7 @@ void WorldSound::update(editor::Editor& editor)
                      .seconds = seconds,
                      .now = moment ? &*moment : nullptr});
     for (const io::Complaint& notice : m_sound->takeNotices())
-        editor.toasts().add(io::log::Level::Warning, notice.where + ": " + notice.what);
+        if (m_said.insert(notice.where + notice.what).second) editor.toasts().add(io::log::Level::Warning, notice.where + ": " + notice.what);
 }
 
 } // namespace app

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <set>
+#include <string>
 
 namespace app {
 
@@ -28,6 +30,7 @@ private:
     std::filesystem::path m_project; // that it is of
     io::Changes m_changes;           // that it has not been told
     editor::SoundSettings m_settings;
+    std::set<std::string> m_said; // notices, since it was switched on
     Clock::time_point m_last;
 };
 

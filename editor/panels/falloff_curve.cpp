@@ -72,6 +72,7 @@ void scale(const Graph& graph, float radius)
 bool falloffCurve(std::vector<io::FalloffKey>& keys, float radius)
 {
     ImGui::PushID("falloff");
+    ui::softText(tr("falloff.curve"));
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size{std::max(ImGui::GetContentRegionAvail().x, 80.0f), kHeight};
     const Graph graph{{corner.x + kMargin, corner.y + kMargin}, {corner.x + size.x - kMargin, corner.y + size.y - kMargin}};

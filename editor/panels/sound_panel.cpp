@@ -5,10 +5,13 @@
 #include "editor/widgets.h"
 #include "io/scene/fields.h"
 
+#include <algorithm>
+
 namespace editor {
 namespace {
 
-constexpr float kWidest = 460; // pixels: a volume as wide as the window would be hard to set
+constexpr float kWidest = 460;    // pixels: a volume as wide as the window would be hard to set
+constexpr float kNarrowest = 120; // pixels that a note needs beside them
 
 void volume(const char* id, const std::string& label, float& factor)
 {
@@ -26,6 +29,7 @@ void SoundPanel::draw(Editor& editor)
     ImGui::BeginChild("##volumes", {std::min(kWidest, ImGui::GetContentRegionAvail().x), 0});
     ui::checkbox("hear", tr("hearing.hear"), sound.hear);
     if (ImGui::IsItemHovered()) ui::tooltip(tr("hearing.hear_tip"));
+    ImGui::SameLine(0, 24);
     ui::checkbox("muted", tr("hearing.muted"), sound.muted);
     ImGui::Dummy({0, 2});
     if (sound.muted) ImGui::BeginDisabled();
@@ -35,7 +39,10 @@ void SoundPanel::draw(Editor& editor)
         volume(("##" + name).c_str(), tr("value." + name), sound.groups[i]);
     }
     if (sound.muted) ImGui::EndDisabled();
-    ImGui::Dummy({0, 2});
+    ImGui::EndChild();
+    ImGui::SameLine(0, 24);
+    if (ImGui::GetContentRegionAvail().x < kNarrowest) return ImGui::NewLine();
+    ImGui::BeginChild("##note");
     ui::softText(tr("hearing.note"));
     ImGui::EndChild();
 }

@@ -1,3 +1,4 @@
+#include "app/pads.h"
 #include "app/player.h"
 #include "app/replay.h"
 
@@ -126,6 +127,24 @@ TEST(Replay, keysHaveNamesBothWays)
     EXPECT_EQ(keyNamed("ctrl"), keyNamed("Ctrl"));
     EXPECT_FALSE(keyNamed("F13"));
     EXPECT_FALSE(keyNamed(""));
+}
+
+TEST(Replay, PadsArePushedAndLetGo)
+{
+    const std::vector<Step> steps = stepsOf("{\"pad\": \"left -y\", \"to\": 0.5}\n{\"pad\": \"A\"}\n{\"pad\": \"A\", \"to\": 0}\n");
+    ASSERT_EQ(steps.size(), 3u);
+    const auto pad = [&](std::size_t i) { return std::get<step::Pad>(steps[i].action); };
+    EXPECT_EQ(pad(0).name, "pad left -y");
+    EXPECT_EQ(pad(0).share, 0.5);
+    EXPECT_EQ(pad(1).share, 1);
+    ReplayedPads pads;
+    for (std::size_t i = 0; i < 2; ++i)
+        pads.set(pad(i).name, pad(i).share);
+    EXPECT_EQ(pads.held(), (play::Held{{"pad A", 1}, {"pad left -y", 0.5}}));
+    pads.set(pad(2).name, pad(2).share);
+    EXPECT_EQ(pads.held(), (play::Held{{"pad left -y", 0.5}}));
+    EXPECT_NE(faultOf("{\"pad\": \"A\", \"to\": 2}").find("from 0 to 1"), std::string::npos);
+    EXPECT_NE(faultOf("{\"key\": \"A\", \"to\": 1}").find("does not belong"), std::string::npos);
 }
 
 } // namespace
