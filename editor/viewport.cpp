@@ -151,7 +151,7 @@ void Viewport::input(Editor& editor, double seconds)
     if (m_drag != Drag::Look && camera.moving()) camera.fly({0, 0, 0}, false, seconds);
     if (m_hovered || m_drag == Drag::Look) wheel(editor);
     camera.update(seconds);
-    if (path.flying() && (m_drag == Drag::Look || pressed(Key::Escape))) path.stop(camera);
+    if (path.flying() && (m_drag == Drag::Look || editor::pressed(Key::Escape))) path.stop(camera);
     path.update(*editor.document(), camera, seconds);
     updateGhost(editor);
 }

@@ -183,17 +183,19 @@ void Viewport::drawPathKeys(const Editor& editor) const
 {
     constexpr float kRadius = 6;
     const auto keys = path.keysOnScreen(*editor.document(), view());
-    const auto under = m_hovered ? path.keyUnder(*editor.document(), view(), pointer()) : std::nullopt;
+    std::optional<std::size_t> under;
+    if (m_hovered) under = path.keyUnder(*editor.document(), view(), pointer());
     const MapPanel map{"path"};
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     for (std::size_t i = 0; i < keys.size(); ++i) {
         if (!keys[i]) continue;
         const ImVec2 at{m_min.x + float(keys[i]->x), m_min.y + float(keys[i]->y)};
-        draw.AddCircleFilled(at, kRadius, under == i ? kHot : IM_COL32(90, 200, 255, 255));
+        const bool hot = under && *under == i;
+        draw.AddCircleFilled(at, kRadius, hot ? kHot : IM_COL32(90, 200, 255, 255));
         draw.AddCircle(at, kRadius, IM_COL32(16, 16, 18, 255), 0, 1.5f);
         const std::string number = std::to_string(i + 1);
         pill({at.x + 10, at.y - 12}, number, palette::kText);
-        mapRect("path_key", number, {at.x - 4, at.y - 4}, {at.x + 4, at.y + 4}, under == i);
+        mapRect("path_key", number, {at.x - 4, at.y - 4}, {at.x + 4, at.y + 4}, hot);
     }
 }
 

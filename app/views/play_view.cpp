@@ -45,6 +45,7 @@ void PlayView::begin(const PlayBegin& begin)
     if (begin.repeatable) return;
     m_sound.emplace(begin.document->project().folder);
     setLevels(*m_sound, begin.sound);
+    if (begin.picker) m_sound->setBlocked(blockedBy(*begin.picker));
 }
 
 void PlayView::run(double seconds)

@@ -5,6 +5,7 @@
 #include "app/play/shape_lines.h"
 #include "app/sound/sound.h"
 #include "app/views/view.h"
+#include "editor/picker.h"
 #include "editor/play_changes.h"
 #include "editor/sound_settings.h"
 #include "renderer/renderer.h"
@@ -21,6 +22,7 @@ namespace app {
 
 struct PlayBegin {
     const editor::Document* document = nullptr; // outlives the play, and does not change meanwhile
+    const editor::Picker* picker = nullptr;     // of that: what stands before a sound muffles it
     io::Camera camera;
     bool fromMarker = false;   // begins at the world's start marker, if it has one
     bool repeatable = false;   // no sound, and pictures in full size however long they take

@@ -9,6 +9,17 @@ void setLevels(Sound& sound, const editor::SoundSettings& settings)
         sound.setVolume(io::SoundGroup(i), settings.groups[i]);
 }
 
+SoundBlocked blockedBy(const editor::Picker& picker)
+{
+    return [&picker](const glm::dvec3& ear, const glm::dvec3& sound, io::ObjectId object) {
+        constexpr double kClose = 0.5; // m; a thing does not muffle what sounds on its own surface
+        const double distance = glm::distance(ear, sound);
+        if (distance <= 2 * kClose) return false;
+        const io::Ray ray{ear, (sound - ear) / distance};
+        return bool(picker.pick(ray, {.skip = {&object, 1}, .maxDistance = distance - kClose}));
+    };
+}
+
 void WorldSound::begin(editor::Editor& editor)
 {
     m_project = editor.document()->project().folder;
@@ -17,13 +28,7 @@ void WorldSound::begin(editor::Editor& editor)
     m_last = Clock::now();
     m_sound.emplace(m_project);
     setLevels(*m_sound, m_settings);
-    m_sound->setBlocked([&editor](const glm::dvec3& ear, const glm::dvec3& sound, io::ObjectId object) {
-        constexpr double kClose = 0.5; // m; a thing does not muffle what sounds on its own surface
-        const double distance = glm::distance(ear, sound);
-        if (distance <= 2 * kClose) return false;
-        const io::Ray ray{ear, (sound - ear) / distance};
-        return bool(editor.picker().pick(ray, {.skip = {&object, 1}, .maxDistance = distance - kClose}));
-    });
+    m_sound->setBlocked(blockedBy(editor.picker()));
 }
 
 void WorldSound::end()

@@ -14,6 +14,9 @@ namespace app {
 
 void setLevels(Sound& sound, const editor::SoundSettings& settings);
 
+// By what a ray from the ear meets; the picker must outlive it.
+SoundBlocked blockedBy(const editor::Picker& picker);
+
 class WorldSound {
 public:
     void note(const io::Changes& changes) { m_changes.add(changes); }
