@@ -53,6 +53,7 @@ void PathsPanel::draw(Editor& editor)
     const io::CameraPath* chosen = editor.viewport().path.target(*editor.document());
     if (!chosen) return;
     const io::CameraPath path = *chosen;
+    rename(editor, path);
     keys(editor, path);
     if (path.keys.size() > 1) {
         pace(editor, path);
@@ -94,6 +95,19 @@ void PathsPanel::list(Editor& editor)
     });
     tool.reset();
     tool.path = name;
+}
+
+// A name that is taken or empty is not taken over.
+void PathsPanel::rename(Editor& editor, const io::CameraPath& path)
+{
+    if (m_named != path.name) m_name = m_named = path.name;
+    ui::propertyLabel(tr("paths.name"));
+    ui::textField("##name", tr("paths.name"), m_name, ImGuiInputTextFlags_AutoSelectAll);
+    if (!ImGui::IsItemDeactivatedAfterEdit()) return;
+    m_named.clear(); // what is shown next is what it is called then
+    if (m_name.empty() || editor.document()->scene().findPath(m_name)) return;
+    change(editor, "undo.rename_path", path.name, [&](io::CameraPath& p) { p.name = m_name; });
+    editor.viewport().path.path = m_name;
 }
 
 void PathsPanel::keys(Editor& editor, const io::CameraPath& path)

@@ -13,7 +13,7 @@ namespace {
 constexpr int kMostTint = 512;          // texels along a side
 constexpr float kManyVertices = 60;     // pixels of height from which a blade has 15 of them
 constexpr float kAnywhere = 1e9f; // m
-constexpr std::size_t kFoundShare = 4; // plants are found for each that may be drawn: some turn out to be out of view
+constexpr std::size_t kPlacesOfTile = GRASS_TILE * GRASS_TILE;
 constexpr std::uint32_t kPlantRoom = 1 << 16; // plants of a kind that grows as a model
 constexpr std::uint32_t kMostPlantTriangles = 200; // of such a model, if it has a level with so few
 
@@ -44,8 +44,10 @@ GrassPass::GrassPass(ShaderLibrary& shaders) : m_shaders{shaders}, m_readback{"g
 {
 }
 
-void GrassPass::makeRoom(std::uint32_t most, std::size_t plants)
+void GrassPass::makeRoom(std::uint32_t most, std::size_t plants, std::size_t tiles)
 {
+    const std::size_t foundBytes = std::max<std::size_t>(tiles, 1) * kPlacesOfTile * sizeof(glsl::GrassFound);
+    if (m_found.bytes() < foundBytes) m_found = gl::Buffer{"grass found", foundBytes + foundBytes / 4};
     if (!m_strips.id()) {
         m_indices = stripIndices();
         m_strips = gl::VertexArray{"grass"};
@@ -63,7 +65,6 @@ void GrassPass::makeRoom(std::uint32_t most, std::size_t plants)
     m_room = most;
     m_blades = gl::Buffer{"grass blades", std::max<std::size_t>(m_room, 1) * GRASS_SHAPES * sizeof(glsl::GrassBlade)};
     m_points.source(0, m_blades.id(), 0, sizeof(glsl::GrassBlade));
-    m_found = gl::Buffer{"grass found", std::max<std::size_t>(m_room, 4096) * kFoundShare * sizeof(glsl::GrassFound)};
 }
 
 // The ground's colours from above, drawn by the ground's own shader when it looks other than it did.
@@ -144,12 +145,10 @@ std::vector<std::string> GrassPass::groundDefines(const Scenery& scenery) const
 }
 
 // Plants of the grid around the eye.
-bool GrassPass::place(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const gl::Texture* farthest, bool plants, const Settings& settings)
+bool GrassPass::place(GpuFrame& gpu, Scenery& scenery, std::span<const glsl::GrassTile> tiles, const gl::Texture* farthest, bool plants)
 {
-    const std::optional<Volume> volume = settings.culling ? std::optional{volumeOf(viewpoint.culledFor)} : std::nullopt;
-    const std::vector<glsl::GrassTile> tiles = scenery.grass.tiles(scenery.terrain, viewpoint.eye, volume, settings);
     if (tiles.empty()) return false;
-    const GpuStream::Piece piece = gpu.stream().put(std::span<const glsl::GrassTile>{tiles});
+    const GpuStream::Piece piece = gpu.stream().put(tiles);
     glBindBufferRange(GL_SHADER_STORAGE_BUFFER, GRASS_TILES_BINDING, piece.buffer, GLintptr(piece.offset), GLsizeiptr(tiles.size() * sizeof(tiles[0])));
     storage(GRASS_FOUND_BINDING, m_found.id());
     std::vector<std::string> defines = groundDefines(scenery);
@@ -252,7 +251,7 @@ void GrassPass::drawBlades(GpuFrame& gpu, const gl::Framebuffer& target, bool se
 void GrassPass::countDrawn(FrameStats& stats, const Settings& settings)
 {
     if (const std::optional<glsl::GrassCounts> counts = m_readback.arrived()) {
-        stats.grassDrawn = std::min(counts->taken, std::uint32_t(settings.mostBlades));
+        stats.grassDrawn = std::min(counts->drawn, std::uint32_t(settings.mostBlades));
         stats.grassLeftOut = counts->taken - stats.grassDrawn;
         if (stats.grassLeftOut > 0 && !std::exchange(m_warned, true))
             io::log::warning("{} blades of grass are in view, {} are drawn; lower render.grass_density or raise render.most_blades", counts->taken, settings.mostBlades);
@@ -273,7 +272,9 @@ void GrassPass::render(GpuFrame& gpu, GeometryPass& geometry, const GeometryPass
     m_kinds.clear();
     for (const Plant& plant : plants)
         m_kinds.push_back(plant.kind);
-    makeRoom(std::uint32_t(std::max(settings.mostBlades, 0)), plants.size());
+    const std::optional<Volume> volume = settings.culling ? std::optional{volumeOf(viewpoint.culledFor)} : std::nullopt;
+    const std::vector<glsl::GrassTile> tiles = seeds ? std::vector<glsl::GrassTile>{} : scenery.grass.tiles(scenery.terrain, viewpoint.eye, volume, settings);
+    makeRoom(std::uint32_t(std::max(settings.mostBlades, 0)), plants.size(), tiles.size());
     gpu.constants(GRASS_BINDING, frame(scenery, viewpoint, environment, pressers, plants, settings));
     constexpr GLuint kNone = 0, kOne = 1;
     glClearNamedBufferData(m_counts.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &kNone);
@@ -282,7 +283,7 @@ void GrassPass::render(GpuFrame& gpu, GeometryPass& geometry, const GeometryPass
     if (m_tint) gpu.bind({{GROUND_TINT_UNIT, &m_tint}});
     storage(GRASS_BLADES_BINDING, m_blades.id());
     storage(GRASS_COUNTS_BINDING, m_counts.id());
-    if (seeds ? !seed(gpu, geometry, scenery, drawn.ground) : !place(gpu, scenery, viewpoint, drawn.farthest, !plants.empty(), settings)) return;
+    if (seeds ? !seed(gpu, geometry, scenery, drawn.ground) : !place(gpu, scenery, tiles, drawn.farthest, !plants.empty())) return;
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     const std::vector<DrawList> models = command(gpu, plants, seeds);
     drawBlades(gpu, geometry.framebuffer(), seeds);

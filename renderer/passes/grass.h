@@ -24,12 +24,12 @@ private:
         ModelRef model;
     };
     static std::vector<Plant> plantsOf(const Scenery& scenery);
-    void makeRoom(std::uint32_t most, std::size_t plants);
+    void makeRoom(std::uint32_t most, std::size_t plants, std::size_t tiles);
     void updateTint(GpuFrame& gpu, Scenery& scenery);
     glsl::GrassFrame frame(const Scenery& scenery, const Viewpoint& viewpoint, const io::Environment& environment, std::span<const Presser> pressers,
                            std::span<const Plant> plants, const Settings& settings) const;
     std::vector<std::string> groundDefines(const Scenery& scenery) const;
-    bool place(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const gl::Texture* farthest, bool plants, const Settings& settings);
+    bool place(GpuFrame& gpu, Scenery& scenery, std::span<const glsl::GrassTile> tiles, const gl::Texture* farthest, bool plants);
     bool seed(GpuFrame& gpu, GeometryPass& geometry, Scenery& scenery, const Terrain::Draws& ground);
     std::vector<DrawList> command(GpuFrame& gpu, std::span<const Plant> plants, bool seeds);
     void drawBlades(GpuFrame& gpu, const gl::Framebuffer& target, bool seeds);

@@ -24,6 +24,7 @@ layout(std430, binding = GRASS_PLANTS_BINDING) writeonly buffer Plants { Instanc
 layout(binding = HEIGHTS_UNIT) uniform MAP_TEXTURE heights;
 
 const float kFadeFrom = 0.6;  // of a level's end: from there on those that the next one lacks shrink
+const float kMostSpread = 2.0; // of those that stand for others
 const float kEndsFrom = 0.75; // of the distance to which grass is drawn
 
 float heightOfTexel(ivec2 texel)
@@ -45,6 +46,13 @@ float heightOf(ivec2 texel, vec2 f)
     }
     float d = heightOfTexel(texel + ivec2(1, 1));
     return d + (c - d) * (1.0 - f.x) + (b - d) * (1.0 - f.y);
+}
+
+// Where more were found than may be drawn, some stay for all, the same ones each time, and stand wider.
+float keptShare()
+{
+    float most = float(grass.most);
+    return clamp((most - 3.0 * sqrt(most)) / float(max(counts.found, 1u)), 1e-6, 1.0);
 }
 
 bool inView(vec3 middle, float radius)
@@ -107,13 +115,15 @@ void main()
 
     float shrink = lastsOf(f) ? 1.0 : 1.0 - smoothstep(kFadeFrom, 1.0, away / grassFrom(level + 1, grass.full));
     shrink *= 1.0 - smoothstep(kEndsFrom, 1.0, away / grass.distance);
+    float kept = keptShare(), chance = (float(h.y & 65535u) + 0.5) * (1.0 / 65536.0);
+    float lasting = kept < 1.0 ? 1.0 - smoothstep(kept * 0.8, kept, chance) : 1.0;
     if (shrink <= 0.0) return;
-    Growth g = growthAt(k, cell, jitter, h, factor, shrink, max(1.0, away / (kFadeFrom * grass.full)));
+    Growth g = growthAt(k, cell, jitter, h, factor, shrink * max(lasting, 0.01), max(1.0, away / (kFadeFrom * grass.full)) * min(inversesqrt(kept), kMostSpread));
 #ifdef HIDDEN
     if (hidden(root + vec3(0.0, g.tall * 0.5, 0.0), g.tall + g.wide)) return;
 #endif
-    uint place = atomicAdd(counts.taken, 1u);
-    if (place >= grass.most) return;
+    atomicAdd(counts.taken, 1u);
+    if (lasting <= 0.0 || atomicAdd(counts.drawn, 1u) >= grass.most) return;
 #ifdef PLANTS
     if (k.plant != 0u) {
         growPlant(g, k, cell, root);

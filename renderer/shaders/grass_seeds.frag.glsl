@@ -40,5 +40,6 @@ void main()
     bendGrowth(g, k, cell, jitter, root);
     uint index = atomicAdd(counts.taken, 1u);
     if (index >= min(grass.most, grass.room)) return;
+    atomicAdd(counts.drawn, 1u);
     blades[index] = bladeOf(g, kind, root, normal, place.xy);
 }

@@ -46,6 +46,24 @@ TEST_F(CameraPaths, AreMadeOfViews)
     EXPECT_EQ(path().keys.size(), 2u);
 }
 
+TEST_F(CameraPaths, AreRenamedButNotToWhatIsTaken)
+{
+    makeTwo();
+    rig.click("Name of the path", "text");
+    rig.type("Flight");
+    rig.key({.key = Key::Enter});
+    rig.frame(2);
+    EXPECT_EQ(path().name, "Flight");
+    EXPECT_EQ(rig.editor->viewport().path.path, "Flight");
+    rig.click("Add path", "button"); // "Path", and in hand
+    rig.frame(2);
+    rig.click("Name of the path", "text");
+    rig.type("Flight");
+    rig.key({.key = Key::Enter});
+    rig.frame(2);
+    EXPECT_EQ(rig.document().scene().paths().back().name, "Path");
+}
+
 TEST_F(CameraPaths, AKeyIsDraggedInTheViewAsOneStep)
 {
     makeTwo();

@@ -59,11 +59,12 @@ SHARED_STRUCT_END(GrassFrame, 2000)
 struct GrassCounts {
     uint groups, groupsY, groupsZ; // of GRASS_GROUP threads for what was found: the arguments of an indirect dispatch
     uint found;
-    uint taken;               // plants, also those that found no room
+    uint taken;               // plants in view, also those that are too many
+    uint drawn;
     uint shape[GRASS_SHAPES]; // blades
     uint plants[GRASS_KINDS]; // of models
 };
-SHARED_STRUCT_END(GrassCounts, 96)
+SHARED_STRUCT_END(GrassCounts, 100)
 
 struct GrassPart { // of a model that grows, one draw
     uint firstIndex, indexCount, plants, unused0; // the place of its plants
