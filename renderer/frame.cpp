@@ -54,6 +54,7 @@ bool exposesItself(const Settings& settings, const Viewpoint& viewpoint)
 Picture Renderer::State::render(const FrameInput& in)
 {
     shaders.reloadIfDue();
+    if (in.alone) last.reset(), exposure.forget();
     GpuFrame gpu{stream, timers, stats, empty};
     const io::Environment& environment = in.environment ? *in.environment : scenery.environment;
     scenery.groundShadow.update(scenery.terrain.heights(), inSteps(bodiesOf(environment).towardLight()));
@@ -70,8 +71,9 @@ Picture Renderer::State::render(const FrameInput& in)
     gpu.constants(HEAVENS_BINDING, viewpoint.heavens);
 
     const glsl::Clouds cloudy = cloudsOf(environment, viewpoint.light, viewpoint.eye, in.time);
-    clouds.update(gpu, cloudy, in.settings.cloudKind);
-    skyTables.update(gpu, viewpoint.light, viewpoint.heavens, cloudy);
+    skyTables.begin(gpu);
+    clouds.update(gpu, cloudy, in.settings.cloudKind, in.alone);
+    skyTables.update(gpu, viewpoint.light, viewpoint.heavens, cloudy, in.alone);
     scenery.terrain.aim(viewpoint.eye, viewpoint.culledFor, in.settings.lod ? in.settings.lodPixels : 1.0f);
     if (in.settings.grass && scenery.grass.present()) scenery.footprints.update(scenery.world, scenery.terrain, viewpoint.eye.position);
     lamps.render(gpu, scenery, viewpoint, in.settings);

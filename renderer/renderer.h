@@ -56,6 +56,7 @@ struct FrameInput {
     std::span<const Presser> pressers;
     bool markers = true;        // draw the boxes of templates without a model
     bool ids = true;            // keep whose each pixel is, for readIds; surfaces are drawn a little faster without
+    bool alone = false;         // a picture of its own: nothing that was gathered or adapted to before counts
     // What the first frame with this culled stays culled while the camera flies on; its view is drawn as lines.
     bool freezeCulling = false;
 };

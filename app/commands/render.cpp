@@ -63,6 +63,7 @@ renderer::FrameInput frameOf(const Options& options, const renderer::Settings& d
             .time = time,
             .markers = options.show != renderer::Show::Final, // aids to editing, no part of the world
             .ids = false,
+            .alone = true, // of a sequence too: others may draw the pictures before it
             .freezeCulling = options.cullFrom.has_value()};
 }
 

@@ -123,6 +123,7 @@ void Session::step(const Wish& wish, bool otherEye)
     m_eyeNow = m_walker.eye();
     m_stoodOn = m_walker.ground();
     stand();
+    standBehind();
 }
 
 void Session::stand()
@@ -254,8 +255,31 @@ io::Camera Session::eye(const glm::dvec3& at) const
 io::Camera Session::camera(double share) const
 {
     io::Camera camera = eye(glm::mix(m_eyeBefore, m_eyeNow, share));
-    if (m_third) camera.eye -= io::forward(camera) * double(m_walker.likes().behind);
+    if (m_third) camera.eye -= io::forward(camera) * glm::mix(m_behindBefore, m_behindNow, share);
     return camera;
+}
+
+// The camera of the third person keeps before what stands behind the player: at once where it comes near, slowly back again.
+void Session::standBehind()
+{
+    constexpr double kRadius = 0.2; // m, that it keeps from things
+    constexpr double kBack = 4;     // m/s
+    m_behindBefore = m_behindNow;
+    if (!m_third) {
+        m_behindBefore = m_behindNow = 0;
+        return;
+    }
+    const double wanted = double(m_walker.likes().behind);
+    const glm::dvec3 way = -io::forward(eye(m_eyeNow)) * wanted;
+    io::WorldBox box;
+    for (const glm::dvec3& end : {m_eyeNow, m_eyeNow + way})
+        for (const double side : {-kRadius, kRadius})
+            box.add(end + side);
+    double share = 1;
+    for (const Thing& thing : m_surroundings.find(box))
+        if (const auto hit = sweep({.radius = kRadius}, m_eyeNow, way, thing)) share = std::min(share, hit->share);
+    m_behindNow = std::min(share * wanted, m_behindNow + kBack * kStep);
+    m_behindBefore = std::min(m_behindBefore, share * wanted);
 }
 
 std::string traceLine(const Session& session)

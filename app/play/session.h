@@ -62,6 +62,7 @@ private:
     void show(const std::string& name, bool shown);
     void stepSounds(double walked);
     io::Camera eye(const glm::dvec3& at) const;
+    void standBehind();
 
     io::Scene m_scene;
     io::Camera m_begin;
@@ -77,6 +78,7 @@ private:
     io::ObjectId m_stoodOn = io::ObjectId::None;
     io::Transform m_stoodAt;
     glm::dvec3 m_eyeBefore{0}, m_eyeNow{0};
+    double m_behindBefore = 0, m_behindNow = 0; // m, from the eye to the camera of the third person
     io::Footsteps m_feet;
     bool m_third = false;
     long m_steps = 0;

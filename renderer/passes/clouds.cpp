@@ -22,7 +22,7 @@ CloudPass::CloudPass(ShaderLibrary& shaders)
     shaders.fullScreen("cloud_map");
 }
 
-void CloudPass::update(GpuFrame& gpu, const glsl::Clouds& clouds, CloudKind kind)
+void CloudPass::update(GpuFrame& gpu, const glsl::Clouds& clouds, CloudKind kind, bool exact)
 {
     m_clouds = clouds;
     m_kind = kind;
@@ -31,6 +31,7 @@ void CloudPass::update(GpuFrame& gpu, const glsl::Clouds& clouds, CloudKind kind
         const auto scope = gpu.scope("cloud shadows");
         m_noise.makeOnce(gpu);
         m_noise.bind();
+        if (exact) m_drawn.reset();
         drawMap(gpu);
     }
     gpu.bind({{CLOUD_MAP_UNIT, &m_map}});

@@ -14,7 +14,8 @@ public:
     explicit CloudPass(ShaderLibrary& shaders);
 
     // Before whatever is lit: binds the block, the noise and the map of shadows.
-    void update(GpuFrame& gpu, const glsl::Clouds& clouds, CloudKind kind);
+    // `exact`: its shadows are not kept while the clouds drift a little.
+    void update(GpuFrame& gpu, const glsl::Clouds& clouds, CloudKind kind, bool exact = false);
     // Whether the layer is for the sky to draw: it lies behind all surfaces.
     bool areInSky() const { return m_clouds.on > 0 && m_kind == CloudKind::Layer && m_clouds.base > 0; }
     // Whether the eye looks down on them: over water too then.

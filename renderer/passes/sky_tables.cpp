@@ -57,13 +57,19 @@ SkyTables::SkyTables(ShaderLibrary& shaders)
     m_noise.framebuffer = gl::Framebuffer{{.label = "noise", .colours = {&m_noise.texture}}};
 }
 
-void SkyTables::update(GpuFrame& gpu, const glsl::Light& light, const glsl::Heavens& heavens, const glsl::Clouds& clouds)
+void SkyTables::begin(GpuFrame& gpu)
+{
+    if (!m_noiseMade) makeNoise(gpu);
+    bind(gpu);
+}
+
+void SkyTables::update(GpuFrame& gpu, const glsl::Light& light, const glsl::Heavens& heavens, const glsl::Clouds& clouds, bool exact)
 {
     const auto scope = gpu.scope("sky tables");
-    if (!m_noiseMade) makeNoise(gpu);
     const bool air = !sameAir(light.atmosphere, m_air) || light.sunRadius != m_sunRadius;
     if (air) drawAirTables(gpu);
-    const bool sky = air || !sameHeight(light.atmosphere, m_air) || heavens.towardSun != m_towardSun;
+    const bool moved = exact ? light.atmosphere.eyeAltitude != m_air.eyeAltitude : !sameHeight(light.atmosphere, m_air);
+    const bool sky = air || moved || heavens.towardSun != m_towardSun;
     if (sky) {
         drawSky(gpu);
         m_air = light.atmosphere;

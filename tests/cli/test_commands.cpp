@@ -55,6 +55,21 @@ TEST_F(Commands, renderAlongAPathNumbersItsPictures)
     EXPECT_NE(textOf(folder / "c0000.png"), textOf(folder / "c0001.png"));
 }
 
+// So that many machines can share them out.
+TEST_F(Commands, aPictureOfASequenceIsTheSameDrawnAlone)
+{
+    const auto draw = [&](const char* frames, const char* file) {
+        return wold({"render", project, "--out", folder / file, "--size", "96x54", "--frames", frames, "--path", "flight", "--quality", "medium", "--set", "render.auto_exposure=on", "--set",
+                     "environment.auto_exposure.on=true", "--quiet"});
+    };
+    const Ran all = draw("0..7", "all.png");
+    ASSERT_EQ(all.code, 0) << all.err;
+    ASSERT_EQ(draw("3..3", "one.png").code, 0);
+    ASSERT_EQ(draw("5..7", "some.png").code, 0);
+    EXPECT_EQ(textOf(folder / "all0003.png"), textOf(folder / "one0003.png"));
+    EXPECT_EQ(textOf(folder / "all0007.png"), textOf(folder / "some0007.png"));
+}
+
 TEST_F(Commands, theSameCallDrawsTheSamePicture)
 {
     for (const char* name : {"one.png", "two.png"})

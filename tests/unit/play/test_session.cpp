@@ -42,6 +42,23 @@ TEST(Session, TheSameInputIsTheSameToTheLastBit)
     EXPECT_EQ(traceOf(one, 600), traceOf(other, 600));
 }
 
+TEST(Session, TheThirdPersonsCameraKeepsBeforeWalls)
+{
+    test::Stage stage;
+    stage.setGround([](double, double) { return 0.0; });
+    const io::TemplateId wall = stage.addBox({20, 10, 0.2});
+    stage.place(wall, {0, 0, 1.5}); // behind the back of one who looks along -Z
+    Session session{stage.scene, stage.assets, above(0, 0)};
+    session.step({}, true);
+    for (int i = 0; i < 120; ++i)
+        session.step({});
+    EXPECT_LT(session.camera().eye.z, 1.4);
+    EXPECT_GT(session.camera().eye.z, 0.9);
+    for (int i = 0; i < 240; ++i)
+        session.step({.move = {0, 1}}); // away from it: the camera comes back to its place
+    EXPECT_NEAR(glm::distance(session.camera().eye, session.walker().eye()), double(session.walker().likes().behind), 0.05);
+}
+
 TEST(Session, BeginsAtTheMarkerEvenUnderTheGround)
 {
     test::Stage stage = world();
