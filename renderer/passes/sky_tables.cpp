@@ -66,6 +66,7 @@ void SkyTables::begin(GpuFrame& gpu)
 void SkyTables::update(GpuFrame& gpu, const glsl::Light& light, const glsl::Heavens& heavens, const glsl::Clouds& clouds, bool exact)
 {
     const auto scope = gpu.scope("sky tables");
+    begin(gpu);
     const bool air = !sameAir(light.atmosphere, m_air) || light.sunRadius != m_sunRadius;
     if (air) drawAirTables(gpu);
     const bool moved = exact ? light.atmosphere.eyeAltitude != m_air.eyeAltitude : !sameHeight(light.atmosphere, m_air);

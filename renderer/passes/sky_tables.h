@@ -14,7 +14,7 @@ class SkyTables {
 public:
     explicit SkyTables(ShaderLibrary& shaders);
 
-    void begin(GpuFrame& gpu); // first in a frame: clouds are made of the noise
+    void begin(GpuFrame& gpu); // for those that come before update() in a frame: clouds are made of the noise
     // Costs nothing while sun, air, clouds and the eye's height stand. The blocks of all are bound. `exact`: they are not kept while the eye rises
     // or sinks a little.
     void update(GpuFrame& gpu, const glsl::Light& light, const glsl::Heavens& heavens, const glsl::Clouds& clouds, bool exact = false);
