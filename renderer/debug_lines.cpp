@@ -97,12 +97,8 @@ void addCircle(std::vector<Line>& lines, const glm::dvec3& middle, const glm::dv
 
 void addBox(std::vector<Line>& lines, const io::WorldBox& box, const glm::vec4& colour)
 {
-    const auto corner = [&box](int i) {
-        return glm::dvec3{i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z};
-    };
-    for (int i = 0; i < 8; ++i)
-        for (const int bit : {1, 2, 4})
-            if (!(i & bit)) lines.push_back({.from = corner(i), .to = corner(i | bit), .colour = colour});
+    const glm::dvec3 half = box.size() / 2.0;
+    addBox(lines, box.centre(), {{half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}}, colour);
 }
 
 void addBox(std::vector<Line>& lines, const glm::dvec3& middle, const glm::dmat3& halfAxes, const glm::vec4& colour)

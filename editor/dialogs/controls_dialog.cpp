@@ -14,10 +14,10 @@ namespace {
 constexpr const char* kId = "##controls";
 constexpr double kPressed = 0.6; // share of the way of a stick or trigger that was meant
 
-Held allHeld(const Editor& editor)
+Held allHeld(Editor& editor)
 {
     Held held = heldKeys();
-    held.merge(const_cast<Editor&>(editor).host().padsHeld());
+    held.merge(editor.host().padsHeld());
     return held;
 }
 
@@ -66,7 +66,7 @@ void set(Editor& editor, std::string_view action, std::size_t place, const std::
 
 } // namespace
 
-void ControlsDialog::listen(const Editor& editor, std::string action, std::size_t place)
+void ControlsDialog::listen(Editor& editor, std::string action, std::size_t place)
 {
     m_listening = Listening{std::move(action), place, allHeld(editor)};
 }

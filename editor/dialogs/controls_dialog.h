@@ -25,7 +25,7 @@ private:
         std::size_t place = 0; // of its controls; beyond the last: one more
         Held before;           // what was held then does not count until it is let go
     };
-    void listen(const Editor& editor, std::string action, std::size_t place);
+    void listen(Editor& editor, std::string action, std::size_t place);
     void takeHeld(Editor& editor);
     void row(Editor& editor, std::string_view action);
     void control(Editor& editor, std::string_view action, const std::vector<std::string>& by, std::size_t place);

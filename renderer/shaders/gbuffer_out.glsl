@@ -13,10 +13,16 @@ float encodeEmission(float factor)
     return factor <= 0.0 ? 0.0 : clamp((log2(factor) + 8.0) / 16.0, 1.0 / 255.0, 1.0);
 }
 
+// Of what is packed already: square roots of the base colour with occlusion, an octahedral normal.
+void writePacked(vec4 rootAndOcclusion, vec2 octahedralNormal, float roughness, float metallic, uint bits, float emission)
+{
+    outColour = rootAndOcclusion;
+    outNormal = octahedralNormal;
+    outSurface = vec4(roughness, metallic, float(bits) / 255.0, encodeEmission(emission));
+}
+
 // `root`: square roots of the base colour.
 void writeSurface(vec3 root, float occlusion, vec3 normal, float roughness, float metallic, uint bits, float emission)
 {
-    outColour = vec4(root, occlusion);
-    outNormal = octahedral(normal);
-    outSurface = vec4(roughness, metallic, float(bits) / 255.0, encodeEmission(emission));
+    writePacked(vec4(root, occlusion), octahedral(normal), roughness, metallic, bits, emission);
 }
