@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/packing.hpp>
 
 namespace renderer {
 namespace {
 
 constexpr float kHighestFactor = 2; // of a kind's own height
 constexpr double kCell = double(GRASS_CELL);
+constexpr double kHalfStep = 1.0 / 1024; // of a number that is kept as a half
 
 bool sees(const std::optional<Volume>& volume, const glm::dvec3& low, const glm::dvec3& high)
 {
@@ -88,7 +90,9 @@ std::vector<glsl::GrassTile> Grass::tiles(const Terrain& terrain, const Eye& eye
                 if (heights.x > heights.y) continue;
                 const double tall = double(m_tallest * kHighestFactor);
                 if (!sees(volume, {corner.x - tall, double(heights.x), corner.y - tall}, {far.x + tall, double(heights.y) + tall, far.y + tall})) continue;
-                tiles.push_back({.cell = glm::ivec2{x, z} * (GRASS_TILE << level), .level = level});
+                const glm::vec2 fromEye{double(heights.x) - eye.position.y - kHalfStep * std::abs(double(heights.x) - eye.position.y),
+                                        double(heights.y) - eye.position.y + kHalfStep * std::abs(double(heights.y) - eye.position.y)};
+                tiles.push_back({.cell = glm::ivec2{x, z} * (GRASS_TILE << level), .level = level, .heights = glm::packHalf2x16(fromEye)});
             }
     }
     return tiles;

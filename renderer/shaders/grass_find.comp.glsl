@@ -20,7 +20,8 @@ void look(GrassTile tile, ivec2 place)
     uvec3 h = grassHash(uvec3(uint(cell.x), uint(cell.y), 1u));
     vec2 jitter = jitterOf(h);
     ivec2 fromEye = cell - grass.eyeCell;
-    float away = length((vec2(fromEye) + jitter) * GRASS_CELL - grass.eyeRest);
+    vec2 across = (vec2(fromEye) + jitter) * GRASS_CELL - grass.eyeRest;
+    float away = length(across);
     float ends = min(grassFrom(tile.level + 1, grass.full), grass.distance);
     if (away >= ends || away < grassFrom(tile.level, grass.full)) return;
 
@@ -31,6 +32,9 @@ void look(GrassTile tile, ivec2 place)
     vec4 grown = texelFetch(grassMap, texel, 0);
     int kind = kindAt(grown, (float(h.x & 65535u) + 0.5) * (1.0 / 65536.0), grass.density);
     if (kind < 0 || covered(cell)) return;
+    vec2 ground = unpackHalf2x16(tile.heights);
+    float tallest = max(grass.kind[kind].height.x, grass.kind[kind].height.y) * grown.a * (255.0 / 128.0);
+    if (grass.looksAhead != 0 && !inView(vec3(across.x, (ground.x + ground.y + tallest) * 0.5, across.y), (ground.y - ground.x) * 0.5 + tallest)) return;
 
     uint index = atomicAdd(counts.found, 1u);
     if (index >= grass.foundRoom) return;

@@ -54,6 +54,16 @@ float factorOf(GrassFound f) // of the kind's height
     return float(f.what >> 8u) * (1.0 / 128.0);
 }
 
+// Of a ball, from the eye.
+bool inView(vec3 middle, float radius)
+{
+    float ahead = dot(middle, view.forward);
+    if (ahead < -radius) return false;
+    vec2 across = abs(vec2(dot(middle, view.right) / dot(view.right, view.right), dot(middle, view.up) / dot(view.up, view.up)));
+    vec2 grown = radius * sqrt(1.0 + 1.0 / vec2(dot(view.right, view.right), dot(view.up, view.up)));
+    return all(lessThan(across, vec2(max(ahead, 0.0)) + grown));
+}
+
 vec3 normalOf(ivec2 texel, vec2 f)
 {
 #ifdef WINDOWS

@@ -55,15 +55,6 @@ float keptShare()
     return clamp((most - 3.0 * sqrt(most)) / float(max(counts.found, 1u)), 1e-6, 1.0);
 }
 
-bool inView(vec3 middle, float radius)
-{
-    float ahead = dot(middle, view.forward);
-    if (ahead < -radius) return false;
-    vec2 across = abs(vec2(dot(middle, view.right) / dot(view.right, view.right), dot(middle, view.up) / dot(view.up, view.up)));
-    vec2 grown = radius * sqrt(1.0 + 1.0 / vec2(dot(view.right, view.right), dot(view.up, view.up)));
-    return all(lessThan(across, vec2(max(ahead, 0.0)) + grown));
-}
-
 #ifdef PLANTS
 // A model in a blade's place: as tall, upright, moved by the wind as objects are.
 void growPlant(Growth g, GrassKind k, ivec2 cell, vec3 root)

@@ -32,7 +32,7 @@ struct GrassKind {
 SHARED_STRUCT_END(GrassKind, 96)
 
 struct GrassTile { // places are 1 << level cells apart
-    ivec2 cell; int level; int unused0; // the first
+    ivec2 cell; int level; uint heights; // the first; halves: of the lowest and the highest ground, from the eye, m
 };
 SHARED_STRUCT_END(GrassTile, 16)
 
