@@ -10,7 +10,6 @@
 namespace renderer {
 namespace {
 
-constexpr int kMostTint = 512;          // texels along a side
 constexpr float kManyVertices = 60;     // pixels of height from which a blade has 15 of them
 constexpr float kAnywhere = 1e9f; // m
 constexpr std::size_t kPlacesOfTile = GRASS_TILE * GRASS_TILE;
@@ -67,38 +66,6 @@ void GrassPass::makeRoom(std::uint32_t most, std::size_t plants, std::size_t til
     m_points.source(0, m_blades.id(), 0, sizeof(glsl::GrassBlade));
 }
 
-// The ground's colours from above, drawn by the ground's own shader when it looks other than it did.
-void GrassPass::updateTint(GpuFrame& gpu, Scenery& scenery)
-{
-    Terrain& terrain = scenery.terrain;
-    if (terrain.windowed()) return;
-    const glm::ivec2 texels = terrain.heights()->size;
-    const int longest = std::max(texels.x, texels.y);
-    const glm::ivec2 size = glm::max(longest > kMostTint ? texels * kMostTint / longest : texels, glm::ivec2{1});
-    const bool another = m_tint.size() != size;
-    if (another) m_tint = gl::Texture{{.label = "ground tint", .size = size}};
-    const io::TexelRect changed = another ? terrain.heights()->texels() : terrain.repainted();
-    if (changed.empty()) return;
-    std::vector<std::string> defines = terrain.coverDefines();
-    std::erase(defines, "HOLES");
-    defines.emplace_back("FROM_ABOVE");
-    const gl::Program& program = m_shaders.program({.label = "ground tint", .stages = {"ground_tint.vert.glsl", "terrain.frag.glsl"}, .defines = std::move(defines)});
-    const gl::Framebuffer target{{.label = "ground tint", .colours = {&m_tint}}};
-    if (!gpu.use(program)) return;
-    target.bind();
-    const glm::dvec2 scale = glm::dvec2{size} / glm::dvec2{texels};
-    const glm::ivec2 low{glm::floor(glm::dvec2{changed.low} * scale)}, high = glm::min(glm::ivec2{glm::ceil(glm::dvec2{changed.high} * scale)}, size);
-    glViewport(low.x, low.y, high.x - low.x, high.y - low.y);
-    gl::apply({});
-    const glm::vec2 from = glm::vec2{low} / glm::vec2{size}, extent = glm::vec2{high - low} / glm::vec2{size};
-    glProgramUniform4f(program.id(), 0, from.x, from.y, extent.x, extent.y);
-    if (!m_bare.id()) m_bare = gl::VertexArray{"ground tint"};
-    glBindVertexArray(m_bare.id());
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    gpu.count(1, 2);
-    terrain.forgetRepainted();
-}
-
 std::vector<GrassPass::Plant> GrassPass::plantsOf(const Scenery& scenery)
 {
     std::vector<Plant> plants;
@@ -126,7 +93,7 @@ glsl::GrassFrame GrassPass::frame(const Scenery& scenery, const Viewpoint& viewp
         frame.kind[plants[i].kind].perHeight = 1 / plants[i].model.entry().bounds.max.y;
     }
     frame.wind = viewpoint.wind;
-    if (m_tint) frame.tintScale = 1.0f / glm::vec2{scenery.terrain.heights()->size};
+    frame.tintScale = m_tint.scale();
     frame.pressers = int(std::min({pressers.size(), kMostPressers, std::size_t(GRASS_PRESSERS)}));
     for (int i = 0; i < frame.pressers; ++i) {
         const Presser& presser = pressers[std::size_t(i)];
@@ -138,10 +105,7 @@ glsl::GrassFrame GrassPass::frame(const Scenery& scenery, const Viewpoint& viewp
 
 std::vector<std::string> GrassPass::groundDefines(const Scenery& scenery) const
 {
-    std::vector<std::string> defines;
-    if (scenery.terrain.windowed()) defines.emplace_back("WINDOWS");
-    if (m_tint && !scenery.terrain.windowed()) defines.emplace_back("TINT");
-    return defines;
+    return scenery.terrain.windowed() ? std::vector<std::string>{"WINDOWS"} : std::vector<std::string>{};
 }
 
 // Plants of the grid around the eye.
@@ -175,7 +139,6 @@ bool GrassPass::seed(GpuFrame& gpu, GeometryPass& geometry, Scenery& scenery, co
     m_depth.bind();
     std::vector<std::string> defines = scenery.terrain.coverDefines();
     std::erase(defines, "HOLES"); // there is no ground to be seen in them
-    if (m_tint && !scenery.terrain.windowed()) defines.emplace_back("TINT");
     for (const Terrain::Draw& part : ground) {
         if (!gpu.use(m_shaders.program(scenery.terrain.program("grass seeds", part.stages, "grass_seeds.frag.glsl", defines)))) return false;
         gl::apply({.depthTest = GL_EQUAL, .cull = GL_BACK});
@@ -268,7 +231,8 @@ void GrassPass::render(GpuFrame& gpu, GeometryPass& geometry, const GeometryPass
     const bool seeds = settings.grassMethod == GrassFrom::Seeds;
     const std::vector<Plant> plants = seeds ? std::vector<Plant>{} : plantsOf(scenery);
     scenery.terrain.bind(gpu);
-    updateTint(gpu, scenery);
+    const Eye& held = scenery.terrain.windowed() ? viewpoint.culledFor : viewpoint.eye; // around which the ground is there
+    m_tint.update(gpu, m_shaders, scenery.terrain, held.position, double(settings.grassDistance));
     m_kinds.clear();
     for (const Plant& plant : plants)
         m_kinds.push_back(plant.kind);
@@ -279,8 +243,7 @@ void GrassPass::render(GpuFrame& gpu, GeometryPass& geometry, const GeometryPass
     constexpr GLuint kNone = 0, kOne = 1;
     glClearNamedBufferData(m_counts.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &kNone);
     glClearNamedBufferSubData(m_counts.id(), GL_R32UI, offsetof(glsl::GrassCounts, groupsY), 8, GL_RED_INTEGER, GL_UNSIGNED_INT, &kOne);
-    gpu.bind({{GRASS_MAP_UNIT, &scenery.grass.map()}, {GRASS_MASK_UNIT, &scenery.footprints.texture()}});
-    if (m_tint) gpu.bind({{GROUND_TINT_UNIT, &m_tint}});
+    gpu.bind({{GRASS_MAP_UNIT, &scenery.grass.map()}, {GRASS_MASK_UNIT, &scenery.footprints.texture()}, {GROUND_TINT_UNIT, &m_tint.texture()}});
     storage(GRASS_BLADES_BINDING, m_blades.id());
     storage(GRASS_COUNTS_BINDING, m_counts.id());
     if (seeds ? !seed(gpu, geometry, scenery, drawn.ground) : !place(gpu, scenery, tiles, drawn.farthest, !plants.empty())) return;

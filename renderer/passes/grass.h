@@ -3,6 +3,7 @@
 #pragma once
 
 #include "renderer/gpu_readback.h"
+#include "renderer/ground_tint.h"
 #include "renderer/passes/geometry.h"
 
 namespace renderer {
@@ -25,7 +26,6 @@ private:
     };
     static std::vector<Plant> plantsOf(const Scenery& scenery);
     void makeRoom(std::uint32_t most, std::size_t plants, std::size_t tiles);
-    void updateTint(GpuFrame& gpu, Scenery& scenery);
     glsl::GrassFrame frame(const Scenery& scenery, const Viewpoint& viewpoint, const io::Environment& environment, std::span<const Presser> pressers,
                            std::span<const Plant> plants, const Settings& settings) const;
     std::vector<std::string> groundDefines(const Scenery& scenery) const;
@@ -41,8 +41,8 @@ private:
     gl::Buffer m_plants, m_plantCommands;
     std::vector<int> m_kinds; // whose plants lie there, in that order
     gl::Buffer m_indices; // of bundles of blades
-    gl::VertexArray m_strips, m_points, m_bare; // the last has no vertices
-    gl::Texture m_tint;
+    gl::VertexArray m_strips, m_points;
+    GroundTint m_tint;
     gl::Framebuffer m_depth; // the GBuffer's depth alone
     GLuint m_depthOf = 0;    // that texture
     GpuReadback<glsl::GrassCounts> m_readback;

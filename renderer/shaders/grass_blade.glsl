@@ -56,12 +56,12 @@ void bladeVertex(int index, vec3 root, uint sizes, uvec4 packed_)
     normal = rounded;
 #endif
 
-    vec4 stored = unpackUnorm4x8(packed_.z);
-    vec3 tint = stored.rgb * stored.rgb;
+    vec3 stored = unpackUnorm4x8(packed_.z).rgb;
+    vec3 tint = stored * stored;
     float tone = (look.z - 0.5) * 2.0 * k.variety;
     vec3 own = mix(k.rootColour, k.tipColour, t) * (1.0 + 0.5 * tone);
     own = mix(own, own * vec3(1.35, 1.12, 0.7), max(tone, 0.0));
-    float share = stored.a * mix(k.groundColour * (1.0 - t), 1.0, far);
+    float share = mix(k.groundColour * (1.0 - t), 1.0, far);
     surface = vec4(sqrt(mix(own, tint * (0.75 + 0.5 * t), share)), mix(0.35 + 0.65 * t, 0.85, far));
     gl_Position = view.clipFromRelative * vec4(point, 1.0);
 }

@@ -5,9 +5,7 @@ layout(std140, binding = GRASS_BINDING) uniform GrassBlock { GrassFrame grass; }
 layout(binding = GROUND_NORMALS_UNIT) uniform MAP_TEXTURE groundNormals;
 layout(binding = GRASS_MAP_UNIT) uniform sampler2D grassMap; // io::GrassCover
 layout(binding = GRASS_MASK_UNIT) uniform sampler2D footprints; // wraps around
-#ifdef TINT
-layout(binding = GROUND_TINT_UNIT) uniform sampler2D groundTint;
-#endif
+layout(binding = GROUND_TINT_UNIT) uniform sampler2D groundTint; // GroundTint
 
 const float kLeastBend = 1e-3;
 
@@ -172,11 +170,7 @@ GrassBlade bladeOf(Growth g, int kind, vec3 root, vec3 normal, vec2 onGround)
     blade.bend = packHalf2x16(g.bend);
     blade.look = uint(g.own.z * 255.0) | uint(kind) << 8u | uint(mix(g.own.w, g.clump.w, 0.6) * 255.0) << 16u |
                  uint(smoothstep(0.3, 1.0, length(root.xz) / grass.distance) * 255.0) << 24u;
-#ifdef TINT
     blade.ground = packUnorm4x8(vec4(textureLod(groundTint, onGround * grass.tintScale, 0.0).rgb, 1.0));
-#else
-    blade.ground = 0u;
-#endif
     blade.slope = packSnorm2x16(normal.xz);
     return blade;
 }

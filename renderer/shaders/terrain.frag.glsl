@@ -46,10 +46,16 @@ Cover cover(int index, vec2 plane, vec3 axisU, vec3 axisV, float tiling, const b
 
 void main()
 {
-    vec2 texel = place.xy;
 #ifdef FROM_ABOVE
-    float height = texelFetch(heights, ivec2(texel), 0).r;
+    vec2 texel = clamp(place.xy, vec2(0.0), terrain.lastTexel);
+#ifdef WINDOWS
+    float level = windowLevel(texel);
+    float height = texelFetch(heights, windowTexel(ivec2(texel * exp2(-level)), int(level)), 0).r;
 #else
+    float height = texelFetch(heights, ivec2(texel), 0).r;
+#endif
+#else
+    vec2 texel = place.xy;
     float height = place.z;
 #endif
     vec2 metres = texel * terrain.metres;

@@ -339,6 +339,41 @@ TEST(Grass, ColoursFollowThePartOfTheGroundThatChanged)
     EXPECT_EQ(differ(after, colours(fresh)), 0);
 }
 
+// The ground's layers are chosen by slope and altitude; a map that is held as windows around the eye shows the same.
+TEST(Grass, ColoursAreTheGroundsWhereverTheEyeCameFrom)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    const auto colours = [](Meadow& meadow, const glm::dvec2& from) {
+        meadow.settings.grassDistance = 30;
+        std::map<std::pair<long, long>, std::uint32_t> found; // by cell
+        for (const Plant& plant : meadow.look(over(meadow, from)))
+            found[{std::lround(std::floor(plant.root.x * 8)), std::lround(std::floor(plant.root.z * 8))}] = plant.ground;
+        return found;
+    };
+    Meadow whole, walked, windows;
+    windows.scenery().terrain = renderer::Terrain{{.whole = 128, .window = 224}};
+    windows.follow({.everything = true});
+    for (double x = -110; x < 90; x += 40) {
+        colours(walked, {x, x * 0.8});
+        colours(windows, {x, x * 0.8});
+    }
+    const auto expected = colours(whole, {90, -70});
+    std::set<std::uint32_t> different;
+    for (const auto& [cell, colour] : expected)
+        different.insert(colour);
+    ASSERT_GT(expected.size(), 1000u);
+    EXPECT_GT(different.size(), 50u);
+    EXPECT_EQ(colours(walked, {90, -70}), expected);
+    ASSERT_TRUE(windows.scenery().terrain.windowed());
+    const auto seen = colours(windows, {90, -70});
+    EXPECT_NEAR(double(seen.size()), double(expected.size()), double(expected.size()) * 0.01); // normals there are those of the nearest texel
+    const auto differ = std::ranges::count_if(seen, [&](const auto& plant) {
+        const auto there = expected.find(plant.first);
+        return there != expected.end() && glm::length(glm::unpackUnorm4x8(plant.second) - glm::unpackUnorm4x8(there->second)) > 0.02f;
+    });
+    EXPECT_EQ(differ, 0);
+}
+
 TEST(Grass, MoreThanThereIsRoomForIsLeftOut)
 {
     if (!test::haveContext()) GTEST_SKIP();

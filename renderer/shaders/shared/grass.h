@@ -17,7 +17,7 @@ SHARED_BEGIN
 struct GrassBlade {
     vec3 root; uint size;          // relative to the eye, m; halves: height and width, m
     uint bend; uint look;          // halves: the angle that it bends by from root to tip, along x and z; bytes: which way it faces, kind, tone, age
-    uint ground; uint slope;       // the ground's colour as square roots, and how far that counts; its normal, x and z
+    uint ground; uint slope;       // the ground's colour as square roots; its normal, x and z
 };
 SHARED_STRUCT_END(GrassBlade, 32)
 
@@ -48,7 +48,7 @@ struct GrassFrame {
     vec2 mapSize;    float mapTexel;   float eyeHeight; // texels; m; m
     float full;      float distance;   float water; int pressers; // m: to there all grow; to there some do; of the water's level
     uint most;       uint room;        float density; float shapeAngle; // plants; of a shape; share; radians of height from which 15 vertices show
-    vec2 tintScale;  uint foundRoom; uint unused0; // of the ground's texels, over the size of its colours; plants
+    float tintScale; uint foundRoom; uint unused0; uint unused1; // GroundTint::scale(); plants
     Wind wind;
     vec4 presser[GRASS_PRESSERS];      // relative to the eye, m; radius, m
     vec4 pressed[GRASS_PRESSERS / 4];  // strengths
