@@ -18,6 +18,12 @@ double direction(const glm::dvec2& away)
 
 } // namespace
 
+// Those sectors, and those of them that begin anew where they go once around.
+std::array<std::pair<int, int>, 2> GroundHorizon::pieces(int first, int last)
+{
+    return {{{first, std::max(std::min(last, kSectors), first)}, {0, std::max(last - kSectors, 0)}}};
+}
+
 GroundHorizon::GroundHorizon(const glm::dvec3& eye) : m_eye{eye}
 {
     m_slopes.fill(-std::numeric_limits<float>::infinity());
@@ -50,17 +56,17 @@ GroundHorizon::Seen GroundHorizon::look(const Box& box) const
 
 bool GroundHorizon::hides(const Seen& seen) const
 {
-    for (int sector = seen.first; sector < seen.last; ++sector)
-        if (m_slopes[std::size_t(sector & (kSectors - 1))] <= seen.top) return false;
+    const auto higher = [&](float slope) { return slope > seen.top; };
+    for (const auto& [from, to] : pieces(seen.first, seen.last))
+        if (!std::all_of(m_slopes.begin() + from, m_slopes.begin() + to, higher)) return false;
     return bool(seen);
 }
 
 void GroundHorizon::add(const Seen& seen)
 {
-    for (int sector = seen.inner; sector < seen.end; ++sector) {
-        float& own = m_slopes[std::size_t(sector & (kSectors - 1))];
-        own = std::max(own, seen.bottom);
-    }
+    for (const auto& [from, to] : pieces(seen.inner, seen.end))
+        for (int sector = from; sector < to; ++sector)
+            m_slopes[std::size_t(sector)] = std::max(m_slopes[std::size_t(sector)], seen.bottom);
 }
 
 } // namespace renderer

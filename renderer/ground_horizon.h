@@ -5,6 +5,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <utility>
 
 namespace renderer {
 
@@ -29,6 +30,8 @@ public:
 
 private:
     static constexpr int kSectors = 2048; // a power of two
+
+    static std::array<std::pair<int, int>, 2> pieces(int first, int last);
 
     glm::dvec3 m_eye;
     std::array<float, kSectors> m_slopes; // of the steepest line of sight that meets ground

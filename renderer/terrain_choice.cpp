@@ -11,7 +11,7 @@ constexpr float kNested = 1.25f; // morphing goes on while the parent's reach is
 // Smaller reaches are not looked for: what one would split by lifting is three levels coarser, beside it, and strays little itself.
 constexpr float kWatched = 1 / (kNested * kNested * kNested);
 constexpr float kSplitForSure = 1e6f;
-constexpr double kNearest = 1e-3; // m
+constexpr float kNearest = 1e-3f; // m
 constexpr std::array<glm::ivec2, 4> kBeside{{{-1, 0}, {0, -1}, {1, 0}, {0, 1}}}; // in the order of ChosenNode::edges
 
 float morphOf(float parentsReach)
@@ -34,26 +34,29 @@ bool inside(const TerrainTree& tree, int level, glm::ivec2 node)
 void TerrainChoice::choose(const TerrainTree& tree, const Eye& eye)
 {
     m_eye = eye;
+    m_perError = float(1 / eye.errorAngle);
+    m_perSide = float(1 / (eye.smallestQuad * TERRAIN_QUADS));
     ++m_turn;
     m_farthest.clear();
     for (int level = 0; level < tree.levels(); ++level)
         m_farthest.push_back(eye.reach ? eye.reach(level) * eye.metresPerTexel : INFINITY);
     m_reaches.resize(std::size_t(tree.levels()));
     m_visited.resize(m_reaches.size());
-    for (int level = 0; level < tree.levels(); ++level) {
-        const glm::ivec2 count = tree.nodes(level);
-        m_reaches[std::size_t(level)].resize(std::size_t(count.x) * count.y);
-        m_visited[std::size_t(level)].clear();
-    }
+    for (auto& visited : m_visited)
+        visited.clear();
+    for (int level = 1; level < tree.levels(); ++level) // the finest are not split, and are most of them
+        m_reaches[std::size_t(level)].resize(std::size_t(tree.nodes(level).x) * tree.nodes(level).y);
     descend(tree, tree.levels() - 1, {0, 0});
     for (int level = 0; level + 1 < tree.levels(); ++level)
         for (std::size_t i = 0; i < m_visited[std::size_t(level)].size(); ++i) {
             const glm::ivec2 node = m_visited[std::size_t(level)][i];
             const float own = reach(tree, level, node);
             if (own < kWatched) continue;
-            lift(tree, level + 1, node / 2, own * kNested);
-            for (const glm::ivec2 beside : kBeside)
-                if (inside(tree, level, node + beside)) lift(tree, level + 1, (node + beside) / 2, own * kNested);
+            // Two of the nodes beside it have its own parent.
+            const glm::ivec2 parent = node / 2, outwards = (node & 1) * 2 - 1;
+            lift(tree, level + 1, parent, own * kNested);
+            for (const glm::ivec2 beside : {parent + glm::ivec2{outwards.x, 0}, parent + glm::ivec2{0, outwards.y}})
+                if (inside(tree, level + 1, beside)) lift(tree, level + 1, beside, own * kNested);
         }
 }
 
@@ -70,18 +73,18 @@ TerrainChoice::Reach& TerrainChoice::visit(const TerrainTree& tree, int level, g
     own.turn = m_turn;
     m_visited[std::size_t(level)].push_back(node);
     const GroundNode box = tree.nodeAt(level, node);
-    const glm::dvec2 low = glm::dvec2{box.origin} * m_eye.metresPerTexel, high = low + m_eye.metresPerTexel * double(TERRAIN_QUADS << level);
-    const glm::dvec3 from{low.x, box.low, low.y}, to{high.x, box.high, high.y};
+    const glm::vec2 corner{glm::dvec2{box.origin} * m_eye.metresPerTexel - glm::dvec2{m_eye.place.x, m_eye.place.z}};
+    const float height = float(m_eye.place.y), side = float(m_eye.metresPerTexel * double(TERRAIN_QUADS << level));
+    const glm::vec3 from{corner.x, box.low - height, corner.y}, to{corner.x + side, box.high - height, corner.y + side}; // from the eye, m
     if (m_eye.onlyLevel) {
         own.value = level > *m_eye.onlyLevel ? kSplitForSure : 0;
     } else {
-        const glm::dvec3 away = glm::max(glm::max(from - m_eye.place, m_eye.place - to), glm::dvec3{0});
-        const double distance = std::max(glm::length(away), kNearest), quad = m_eye.metresPerTexel * double(1 << level);
-        own.value = float(std::min(double(tree.error(level, node)) * m_eye.smallestQuad, quad * m_eye.errorAngle) / (m_eye.errorAngle * m_eye.smallestQuad * distance));
+        const glm::vec3 away = glm::max(glm::max(from, -to), glm::vec3{0});
+        own.value = std::min(tree.error(level, node) * m_perError, side * m_perSide) / std::max(glm::length(away), kNearest);
     }
     if (level > 0 && std::isfinite(m_farthest[std::size_t(level) - 1])) {
-        const glm::dvec3 far = glm::max(glm::abs(from - m_eye.place), glm::abs(to - m_eye.place));
-        own.value = std::min(own.value, float(m_farthest[std::size_t(level) - 1] / std::max(far.x, far.z)));
+        const glm::vec3 far = glm::max(glm::abs(from), glm::abs(to));
+        own.value = std::min(own.value, float(m_farthest[std::size_t(level) - 1]) / std::max(far.x, far.z));
     }
     return own;
 }

@@ -82,6 +82,7 @@ private:
     ChosenNode finished(const TerrainTree& tree, const GroundNode& node, glm::ivec2 place) const;
 
     Eye m_eye;
+    float m_perError = 0, m_perSide = 0; // m away at which a node is split whose error, or side, is a metre
     std::vector<double> m_farthest; // m, of each level: no node is split into it whose far corner lies beyond
     std::uint32_t m_turn = 0;
     std::vector<std::vector<Reach>> m_reaches;      // of each level's nodes
