@@ -2,6 +2,7 @@
 
 #include "app/fonts.h"
 #include "app/window.h"
+#include "editor/pointer_way.h"
 #include "editor/theme.h"
 
 #include <GLFW/glfw3.h>
@@ -83,7 +84,9 @@ void ImguiHost::keepShortTaps()
         if (g_host) g_host->onKey(key, scancode, action, mods);
     });
     glfwSetCursorPosCallback(m_window->handle(), [](GLFWwindow*, double x, double y) {
-        if (g_host) g_host->m_pointer = {x, y};
+        if (!g_host) return;
+        g_host->m_pointer = {x, y};
+        g_host->m_way.emplace_back(x, y);
     });
     glfwSetMouseButtonCallback(m_window->handle(), [](GLFWwindow*, int button, int action, int mods) {
         if (g_host) g_host->onButton(button, action, mods);
@@ -140,6 +143,10 @@ void ImguiHost::begin(glm::ivec2 size, double seconds)
         pointerWhereItActed();
         const float toPoints = io.DisplayFramebufferScale.x / m_scale;
         if (ImGui::IsMousePosValid(&io.MousePos)) io.MousePos = {io.MousePos.x * toPoints, io.MousePos.y * toPoints};
+        std::vector<glm::dvec2> way = std::exchange(m_way, {});
+        for (glm::dvec2& point : way)
+            point *= double(toPoints);
+        editor::setPointerWay(std::move(way));
         size = m_window->pixels();
     } else {
         io.DeltaTime = float(seconds);

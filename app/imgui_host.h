@@ -36,6 +36,7 @@ private:
     int m_unseenFrames = 0;          // until all that was pressed and clicked has been looked at
     std::vector<Release> m_releases; // of keys, that wait for that
     std::optional<glm::vec2> m_pointer;                 // as its last event said
+    std::vector<glm::dvec2> m_way;                      // its events since the last frame
     std::optional<glm::vec2> m_pressedAt, m_releasedAt; // the pointer, where a button did so since the last frame
 };
 

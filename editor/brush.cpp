@@ -137,19 +137,26 @@ io::HeightGrid eroded(io::HeightGrid heights, const Brush& brush, const Dab& dab
     return heights;
 }
 
-// Bilinear; 0 beyond its sides.
+// The longer sides are as long as the brush is wide. Bilinear; 0 beyond its sides.
 float stampAt(const Brush& brush, const Dab& dab, const glm::dvec2& place)
 {
     const io::HeightGrid& stamp = *brush.stamp;
     const double turn = glm::radians(double(brush.rotation));
     const glm::dvec2 away = (place - dab.centre) / double(brush.radius);
     const glm::dvec2 turned{away.x * std::cos(turn) + away.y * std::sin(turn), away.y * std::cos(turn) - away.x * std::sin(turn)};
-    const glm::dvec2 at = (turned * 0.5 + 0.5) * glm::dvec2{stamp.size - 1};
+    const glm::dvec2 last{stamp.size - 1}, at = (turned * std::max(last.x, last.y) + last) * 0.5;
     if (at.x < 0 || at.y < 0 || at.x > stamp.size.x - 1 || at.y > stamp.size.y - 1) return 0;
     const glm::ivec2 low = glm::min(glm::ivec2{at}, stamp.size - 2);
     const glm::vec2 f{at - glm::dvec2{low}};
     return glm::mix(glm::mix(stamp.at(low.x, low.y), stamp.at(low.x + 1, low.y), f.x),
                     glm::mix(stamp.at(low.x, low.y + 1), stamp.at(low.x + 1, low.y + 1), f.x), f.y);
+}
+
+// One that falls between texels would change nothing.
+Brush coveringTexels(Brush brush, double metresPerTexel)
+{
+    brush.radius = std::max(brush.radius, float(metresPerTexel));
+    return brush;
 }
 
 int marginOf(const Brush& brush, double metresPerTexel)
@@ -178,9 +185,10 @@ float fading(const Brush& brush, float away)
     }
 }
 
-std::optional<HeightPatch> dabOn(const io::HeightMap& map, const Brush& brush, const Dab& dab)
+std::optional<HeightPatch> dabOn(const io::HeightMap& map, const Brush& given, const Dab& dab)
 {
-    EXPECTS(brush.tool != BrushTool::Ramp && shapes(brush.tool) && brush.radius > 0);
+    EXPECTS(given.tool != BrushTool::Ramp && shapes(given.tool) && given.radius > 0);
+    const Brush brush = coveringTexels(given, map.metresPerTexel);
     HeightPatch patch;
     const auto ground = under(map, dab.centre - double(brush.radius), dab.centre + double(brush.radius), marginOf(brush, map.metresPerTexel), patch);
     if (!ground) return std::nullopt;
@@ -268,8 +276,9 @@ io::Cover painted(io::Cover cover, BrushTool tool, int layer, int replaced, floa
     return cover;
 }
 
-std::optional<CoverPatch> paintOn(const io::HeightMap& map, const io::CoverMap& cover, const Brush& brush, const Dab& dab, bool everywhere)
+std::optional<CoverPatch> paintOn(const io::HeightMap& map, const io::CoverMap& cover, const Brush& given, const Dab& dab, bool everywhere)
 {
+    const Brush brush = coveringTexels(given, map.metresPerTexel);
     EXPECTS(paints(brush.tool) && cover.size() == map.size);
     HeightPatch where;
     const glm::dvec2 reach{everywhere ? 1e9 : double(brush.radius)};
@@ -291,8 +300,9 @@ std::optional<CoverPatch> paintOn(const io::HeightMap& map, const io::CoverMap& 
     return patch;
 }
 
-std::optional<HeightPatch> rampOn(const io::HeightMap& map, const Brush& brush, const glm::dvec3& from, const glm::dvec3& to, float amount)
+std::optional<HeightPatch> rampOn(const io::HeightMap& map, const Brush& given, const glm::dvec3& from, const glm::dvec3& to, float amount)
 {
+    const Brush brush = coveringTexels(given, map.metresPerTexel);
     HeightPatch patch;
     const glm::dvec2 a{from.x, from.z}, b{to.x, to.z}, along = b - a;
     const auto ground = under(map, glm::min(a, b) - double(brush.radius), glm::max(a, b) + double(brush.radius), 1, patch);
@@ -312,7 +322,12 @@ std::optional<HeightPatch> rampOn(const io::HeightMap& map, const Brush& brush, 
 
 std::optional<HeightPatch> patchOf(const io::HeightMap& map, const Brush& brush, const glm::dvec2& from, const glm::dvec2& to, float amount)
 {
-    const auto start = map.height(from.x, from.y), end = map.height(to.x, to.y);
+    const glm::dvec2 last = map.origin + glm::dvec2{map.size - 1} * map.metresPerTexel;
+    const auto heightAt = [&](const glm::dvec2& at) { // of the map's edge, beyond it
+        const glm::dvec2 on = glm::clamp(at, map.origin, last);
+        return map.height(on.x, on.y);
+    };
+    const auto start = heightAt(from), end = heightAt(to);
     if (brush.tool != BrushTool::Ramp)
         return dabOn(map, brush, {.centre = from, .amount = amount, .level = brush.levelGiven ? double(brush.level) : start.value_or(0)});
     if (!start || !end) return std::nullopt;

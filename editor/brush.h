@@ -50,7 +50,7 @@ struct Brush {
     float density = 1;               // share of the kind's own that is grown
     float height = 1;                // factor of the kinds' own
     std::string stampFile;           // of the project, as "textures/crater.png"
-    std::shared_ptr<const io::HeightGrid> stamp; // 0..1, its sides as long as the brush is wide; null: none
+    std::shared_ptr<const io::HeightGrid> stamp; // 0..1, its longer sides as long as the brush is wide; null: none
     bool operator==(const Brush&) const = default;
 };
 
@@ -105,7 +105,7 @@ struct CoverPatch { // of the cover, or of the map of grass
 // 1 in the middle, 0 at the edge and beyond; `away` in radii.
 float fading(const Brush& brush, float away);
 
-// Nothing where the brush lies beside the ground. The tool shapes, and is anything but Ramp.
+// Nothing where the brush lies beside the ground. It reaches a texel far at least. The tool shapes, and is anything but Ramp.
 std::optional<HeightPatch> dabOn(const io::HeightMap& map, const Brush& brush, const Dab& dab);
 
 // The tool paints. `everywhere`: not only under the brush, but where its slopes and heights let it.

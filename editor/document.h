@@ -141,7 +141,7 @@ void edit(Document& document, std::string name, std::span<const io::ObjectId> id
 
 void setEnvironment(Document& document, std::string name, io::Environment environment);
 // Another file is read; other heights of the lowest and highest value scale the ground.
-void setTerrain(Document& document, std::string name, io::Terrain terrain);
+io::Status setTerrain(Document& document, std::string name, io::Terrain terrain);
 // `changed`: where they differ from the scene's.
 void setHeights(Document& document, std::string name, std::shared_ptr<const io::HeightMap> heights, const io::TexelRect& changed);
 void setCover(Document& document, std::string name, std::shared_ptr<const io::CoverMap> cover, const io::TexelRect& changed);

@@ -157,26 +157,26 @@ void setGrass(Document& document, std::string name, io::Grass grass)
     setGrassMap(document, name, read, read ? read->field().rect() : io::TexelRect{});
 }
 
-void setTerrain(Document& document, std::string name, io::Terrain terrain)
+io::Status setTerrain(Document& document, std::string name, io::Terrain terrain)
 {
     const io::Terrain before = document.scene().terrain();
     const auto heights = document.scene().heights();
     const bool otherFile = terrain.heightMap != before.heightMap;
+    const auto otherHeights = otherFile ? document.readHeights(terrain) : nullptr;
+    if (otherFile && !terrain.heightMap.empty() && !otherHeights) return io::Error{terrain.heightMap, "is no height map that can be read; the ground stays as it is"};
     const bool otherRange = terrain.minHeight != before.minHeight || terrain.maxHeight != before.maxHeight;
     const Gesture gesture{document, name};
     document.run(std::make_unique<SwapTerrain>(name, terrain));
-    if (otherFile) {
-        const auto read = document.readHeights(terrain);
-        setHeights(document, name, read, read ? read->texels() : io::TexelRect{});
-    }
+    if (otherFile) setHeights(document, name, otherHeights, otherHeights ? otherHeights->texels() : io::TexelRect{});
     if (otherFile || terrain.coverMap != before.coverMap) {
         const auto read = document.readCover(terrain);
         setCover(document, name, read, read ? read->rect() : io::TexelRect{});
     }
-    if (otherFile) return;
-    if (!otherRange || !heights || !heights->shares) return;
-    if (std::abs(before.maxHeight - before.minHeight) < kLeastSpan || std::abs(terrain.maxHeight - terrain.minHeight) < kLeastSpan) return;
+    if (otherFile) return {};
+    if (!otherRange || !heights || !heights->shares) return {};
+    if (std::abs(before.maxHeight - before.minHeight) < kLeastSpan || std::abs(terrain.maxHeight - terrain.minHeight) < kLeastSpan) return {};
     setHeights(document, name, scaled(*document.scene().heights(), before, terrain), heights->texels());
+    return {};
 }
 
 void Document::reloadModel(io::TemplateId id)

@@ -332,14 +332,16 @@ void Editor::drawWindow()
 void Editor::growPlants(const io::ScatterLayer& layer)
 {
     m_plantsName = layer.rule ? tr("undo.evaluate_plants") : tr("undo.fill_plants");
-    m_plantsWork.start(layerTiles(m_document->scene(), layer), plantingOf(*m_document, layer, &m_picker), !m_host.repeatable());
+    m_plantsWork.start(m_document->scene(), layerTiles(m_document->scene(), layer), plantingOf(*m_document, layer, &m_picker), !m_host.repeatable());
     takePlants();
 }
 
 void Editor::takePlants()
 {
     if (!m_document || m_document->inGesture()) return;
+    if (!m_plantsWork.ready()) return;
     if (auto slots = m_plantsWork.finished(m_document->scene())) setInstances(*m_document, m_plantsName, *std::move(slots));
+    else if (m_plantsWork.late()) m_toasts.add(io::log::Level::Warning, tr("message.plants_late"));
 }
 
 void Editor::noteActivity(double seconds)

@@ -1,6 +1,7 @@
 #include "editor/ground_edits.h"
 
 #include "editor/ground_recipe.h"
+#include "editor/scatter_steps.h"
 #include "io/files/height_map_file.h"
 #include "io/scene/resampling.h"
 
@@ -52,6 +53,29 @@ void lift(Document& document, const std::string& name, const io::HeightMap& befo
     if (!ids.empty()) edit(document, name, ids, [&](io::Object& object) { object.transform.position.y += rise(object); });
 }
 
+// The texel of a map that stands for one beyond it.
+glm::ivec2 brought(const glm::ivec2& texel, const glm::ivec2& size, GroundEdge edge)
+{
+    if (edge == GroundEdge::Wrap) return (texel % size + size) % size;
+    return glm::clamp(texel, glm::ivec2{0}, size - 1);
+}
+
+// The map of grass, as far along as the ground went.
+void moveGrass(Document& document, const std::string& name, const glm::dvec2& metres, GroundEdge edge)
+{
+    const auto map = document.scene().grassMap();
+    const glm::ivec2 by{map ? glm::round(metres / map->metresPerTexel) : glm::dvec2{0}};
+    if (by == glm::ivec2{0}) return;
+    const glm::ivec2 size = map->size();
+    const std::vector<std::uint32_t> moved = io::gathered<std::uint32_t>(map->field().read(map->field().rect()), size, size, [&](int x, int z) { return brought(glm::ivec2{x, z} - by, size, edge); });
+    setGrassMap(document, name, std::make_shared<const io::GrassMap>(map->with(map->field().with(moved, size, {0, 0}))), map->field().rect());
+}
+
+PlaneRect boundsOf(const io::HeightMap& map)
+{
+    return {map.origin, map.origin + glm::dvec2{map.size - 1} * map.metresPerTexel};
+}
+
 struct Source {
     io::HeightGrid heights;
     const io::CoverMap* cover; // null: none
@@ -97,10 +121,13 @@ io::Result<NewGround> croppedGround(const Source& source, const Reshaping& r)
     const auto texelOf = [&](const glm::dvec2& p) { return r.texels ? p : (p - old.origin) / old.metresPerTexel; };
     constexpr double kNearly = 1e-6; // of a texel: what metres lose on the way to texels
     const glm::dvec2 a = texelOf(glm::min(r.from, r.to)), b = texelOf(glm::max(r.from, r.to));
-    const io::TexelRect kept = io::common({io::Texel{glm::ceil(a - kNearly)}, io::Texel{glm::floor(b + kNearly)} + io::Texel{1}}, {{0, 0}, old.size});
-    const glm::ivec2 low{kept.low}, size{kept.high - kept.low};
-    if (kept.empty() || size.x < 2 || size.y < 2) return io::Error{{}, "from, to: hold less than 2 texels of the ground to a side"};
-    NewGround ground = gatheredFrom(source, size, [&](int x, int z) { return low + glm::ivec2{x, z}; });
+    const glm::dvec2 first = glm::ceil(a - kNearly), count = glm::floor(b + kNearly) + 1.0 - first;
+    if (count.x < 2 || count.y < 2) return io::Error{{}, "from, to: hold less than 2 texels to a side"};
+    if (count.x > kMostSide || count.y > kMostSide)
+        return io::Error{{}, "from, to: make " + std::to_string(std::int64_t(std::max(count.x, count.y))) + " texels to a side; at most " + std::to_string(kMostSide) + " can be"};
+    const glm::ivec2 low{first}, size{count};
+    if (glm::any(glm::greaterThanEqual(low, old.size)) || glm::any(glm::lessThanEqual(low + size, glm::ivec2{0}))) return io::Error{{}, "from, to: hold nothing of the ground"};
+    NewGround ground = gatheredFrom(source, size, [&](int x, int z) { return brought(low + glm::ivec2{x, z}, old.size, r.edge); });
     ground.heights.origin = old.origin + glm::dvec2{low} * old.metresPerTexel;
     return ground;
 }
@@ -111,9 +138,10 @@ io::Result<NewGround> movedGround(const Source& source, const Reshaping& r)
     const glm::dvec2 texels = glm::round(r.texels ? r.by : r.by / source.heights.metresPerTexel);
     const glm::ivec2 by{r.edge == GroundEdge::Wrap ? texels - glm::floor(texels / glm::dvec2{size}) * glm::dvec2{size} : glm::clamp(texels, -glm::dvec2{size}, glm::dvec2{size})};
     NewGround ground = gatheredFrom(source, size, [&](int x, int z) {
-        const glm::ivec2 from = glm::ivec2{x, z} - by;
-        return r.edge == GroundEdge::Wrap ? (from + size) % size : glm::clamp(from, glm::ivec2{0}, size - 1);
+        return brought(glm::ivec2{x, z} - by, size, r.edge);
     });
+    ground.movedBy = glm::dvec2{by} * source.heights.metresPerTexel;
+    ground.edge = r.edge;
     if (r.raise != 0)
         for (float& metres : ground.heights.metres)
             metres = std::clamp(float(double(metres) + r.raise), -kFarthest, kFarthest);
@@ -141,7 +169,12 @@ void replaceGround(Document& document, const std::string& name, NewGround ground
     const io::TexelRect all = map.texels();
     setHeights(document, name, std::make_shared<const io::HeightMap>(std::move(map)), all);
     setCover(document, name, std::move(ground.cover), all);
-    if (objectsFollow && before) lift(document, name, *before);
+    moveGrass(document, name, ground.movedBy, ground.edge);
+    if (objectsFollow && before) {
+        lift(document, name, *before);
+        liftPlants(document, name, *before, boundsOf(*before));
+    }
+    followRules(document, name, PlantRegion::everywhere().bounds());
 }
 
 io::Result<NewGround> reshaped(const io::Scene& scene, const Reshaping& reshaping)

@@ -60,7 +60,7 @@ void setLayers(Document& document, const std::string& name, std::vector<io::Terr
     const Gesture gesture{document, name};
     io::Terrain terrain = document.scene().terrain();
     terrain.layers = std::move(layers);
-    setTerrain(document, name, std::move(terrain));
+    EXPECTS(setTerrain(document, name, std::move(terrain))); // its heights are the same
     const auto& cover = document.scene().cover();
     if (!cover) return;
     const auto moved = [&](int layer) {

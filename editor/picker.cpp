@@ -44,6 +44,12 @@ void Picker::update(const io::Scene& scene, const io::Assets& assets, const io::
         if (m_state->ground) m_state->ground->update(heights, changed);
 }
 
+const TerrainRay& Picker::ground() const
+{
+    static const TerrainRay none;
+    return m_state->heights ? m_state->terrain() : none;
+}
+
 void Picker::prepare()
 {
     m_state->objects.prepare();

@@ -46,6 +46,8 @@ struct PixelRect {
     glm::dvec2 from{0}, to{0};
 };
 
+class TerrainRay;
+
 class Picker {
 public:
     Picker();
@@ -62,6 +64,9 @@ public:
     bool boxesOnly() const;
 
     PickHit pick(const io::Ray& ray, const PickOptions& options = {}) const;
+    // The ground as rays meet it now; a copy stays as it is. Empty: there is none.
+    const TerrainRay& ground() const;
+
     PickHit pick(const View& view, glm::dvec2 pixel, PickOptions options = {}) const; // sets pixelWidth
     // The nearest hit of each object, and of the ground, near to far.
     std::vector<PickHit> pickAll(const io::Ray& ray, std::size_t max = 32, const PickOptions& options = {}) const;

@@ -3,6 +3,7 @@
 #include "editor/placement.h"
 #include "editor/random.h"
 #include "io/scene/ground.h"
+#include "io/scene/instance_walk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +50,8 @@ PlantRules plantRules(const io::Scene& scene, const io::Assets& assets, const io
                      .slope = glm::dvec2{layer.slope},
                      .altitude = glm::dvec2{layer.altitude},
                      .ground = layer.ground,
-                     .clearance = double(layer.clearance)};
+                     .clearance = double(layer.clearance),
+                     .layer = layer.id};
     for (const io::Species& species : layer.species) {
         const io::TemplateId id = scene.findTemplate(species.templateName);
         const io::Template* what = scene.find(id);
@@ -136,6 +138,19 @@ Planting::Planting(PlantRules rules, const io::Scene& scene, PlantSurface surfac
         m_layers = std::make_shared<io::GroundLayers>(m_heights, m_cover, layers);
     }
     findObstacles(scene);
+    if (m_rules.clearance > 0) findNeighbours(scene);
+}
+
+void Planting::findNeighbours(const io::Scene& scene)
+{
+    for (const io::ScatterLayer& layer : scene.scatterLayers()) {
+        if (layer.id == m_rules.layer || scene.instances(layer.id).empty()) continue;
+        Neighbours& one = m_neighbours.emplace_back(scene.instances(layer.id));
+        for (const io::TemplateId id : io::templatesOf(scene, layer)) {
+            const io::Template* what = scene.find(id);
+            one.away.push_back(m_rules.clearance + double(what ? what->footprint : 0));
+        }
+    }
 }
 
 void Planting::findObstacles(const io::Scene& scene)
@@ -163,6 +178,24 @@ bool Planting::clear(const glm::dvec2& at, double room) const
            std::ranges::none_of(found->second, [&](const Obstacle& one) { return glm::distance(one.at, at) < one.radius + room; });
 }
 
+bool Planting::clearOfPlants(const glm::dvec2& at) const
+{
+    constexpr double kSide = io::kInstanceTile;
+    for (const Neighbours& one : m_neighbours) {
+        const double farthest = one.away.empty() ? 0 : std::ranges::max(one.away);
+        const glm::ivec2 low{glm::floor((at - farthest) / kSide)}, high{glm::floor((at + farthest) / kSide)};
+        for (int z = low.y; z <= high.y; ++z)
+            for (int x = low.x; x <= high.x; ++x) {
+                const auto found = one.tiles.find({x, z});
+                if (found == one.tiles.end()) continue;
+                const glm::dvec2 from = at - glm::dvec2{x, z} * kSide;
+                for (const io::Instance& instance : found->second->instances)
+                    if (instance.species < one.away.size() && glm::distance(glm::dvec2{instance.x, instance.z} * io::kInstanceStep, from) < one.away[instance.species]) return false;
+            }
+    }
+    return true;
+}
+
 std::optional<PlantSpot> Planting::spotAt(const glm::dvec2& at) const
 {
     if (m_surface) return m_surface(at.x, at.y);
@@ -180,6 +213,7 @@ bool Planting::allows(const PatternPoint& point, const PlantSpot& spot) const
     if (spot.position.y < m_rules.altitude.x || spot.position.y > m_rules.altitude.y) return false;
     // On top of a thing one does not keep away from it.
     if (!m_surface && !clear(point.at, double(m_rules.kinds[point.kind].room))) return false;
+    if (!clearOfPlants(point.at)) return false;
     if (m_layer < 0) return true;
     if (m_layer >= io::kMostLayers || !m_heights->contains(point.at.x, point.at.y)) return false;
     const io::GroundLayers::Shares shares = m_layers->at(point.at.x, point.at.y);

@@ -37,7 +37,8 @@ struct PlantRules {
     glm::dvec2 slope{0, 90};         // degrees from level
     glm::dvec2 altitude{-1e5, 1e5};  // m
     std::string ground;              // only where this layer of the terrain shows most; empty: anywhere
-    double clearance = 0;            // m, to the footprints of objects
+    double clearance = 0;            // m, to the footprints of objects and of other layers' plants
+    io::ScatterId layer = io::ScatterId::None; // whose plants they are
 };
 
 // Of a layer, with its species in their order; one whose template is missing has no weight.
@@ -102,7 +103,9 @@ private:
     std::unordered_map<std::uint64_t, int> strangersAmong(std::span<const PatternPoint> points, const Standing& standing) const; // by square
     bool allows(const PatternPoint& point, const PlantSpot& spot) const;
     bool clear(const glm::dvec2& at, double room) const;
+    bool clearOfPlants(const glm::dvec2& at) const;
     void findObstacles(const io::Scene& scene);
+    void findNeighbours(const io::Scene& scene);
     std::optional<PlantSpot> spotAt(const glm::dvec2& at) const;
     io::Transform transformOf(const PatternPoint& point, const PlantSpot& spot) const;
 
@@ -114,6 +117,11 @@ private:
     std::shared_ptr<const io::GroundLayers> m_layers; // where a layer is asked for
     int m_layer = -1;                                 // -1: none is asked for; kMostLayers: one that is missing
     std::unordered_map<std::uint64_t, std::vector<Obstacle>> m_obstacles; // by square of kObstacles
+    struct Neighbours { // another layer's plants
+        io::InstanceTiles tiles;
+        std::vector<double> away; // m from those of each species
+    };
+    std::vector<Neighbours> m_neighbours; // none where no clearance is asked for
     PlaneRect m_reach;
 };
 

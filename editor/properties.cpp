@@ -147,8 +147,7 @@ io::Status setAny(Document& document, std::string_view key, const io::Value& val
     if (kind == "terrain") {
         io::Terrain changed = document.scene().terrain();
         if (const io::Status set = io::setField(changed, rest, value); !set) return set;
-        setTerrain(document, name, std::move(changed));
-        return {};
+        return setTerrain(document, name, std::move(changed));
     }
     if (kind == "camera") return setInCamera(document, key, rest, value);
     if (kind == "path") return setInPath(document, key, rest, value);

@@ -108,13 +108,14 @@ InstanceSlots edited(const LayerTiles& layer, const PlantRegion& region, auto&& 
     return slots;
 }
 
-// All squares of the region, so that rules plant nothing there.
+// All squares that lie in the region, so that rules plant nothing there.
 void markSquares(NewTiles& tiles, const PlantRegion& region)
 {
     const glm::ivec2 low{glm::floor(region.bounds().low)}, high{glm::floor(region.bounds().high)};
     for (int z = low.y; z <= high.y; ++z)
         for (int x = low.x; x <= high.x; ++x) {
-            if (!region.contains(glm::dvec2{x, z} + 0.5)) continue;
+            const auto corner = [&](int dx, int dz) { return region.contains(glm::dvec2{x + dx, z + dz}); };
+            if (!corner(0, 0) || !corner(1, 0) || !corner(0, 1) || !corner(1, 1)) continue; // what stands in the rest of it is not meant
             const glm::ivec2 tile{x >> 6, z >> 6}, square{x & 63, z & 63};
             markErased(tiles.at(tile), square);
         }
@@ -259,10 +260,15 @@ void applySlots(io::InstanceTiles& tiles, const InstanceSlots& later)
 
 std::size_t countIn(const io::InstanceTiles& tiles, const PlantRegion& region)
 {
+    return countIn(LayerTiles{.tiles = tiles}, region);
+}
+
+std::size_t countIn(const LayerTiles& layer, const PlantRegion& region)
+{
     std::size_t count = 0;
-    eachTile(tiles, tilesOf(region.bounds()), [&](const glm::ivec2& place, const io::InstanceTile& tile) {
+    eachTile(layer.tiles, tilesOf(region.bounds()), [&](const glm::ivec2& place, const io::InstanceTile& tile) {
         for (const io::Instance& instance : tile.instances)
-            count += region.contains(placeOf(place, instance));
+            count += layer.means(instance) && region.contains(placeOf(place, instance));
     });
     return count;
 }

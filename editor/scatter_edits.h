@@ -44,5 +44,6 @@ std::optional<InstanceSlots> evaluated(const LayerTiles& layer, const Planting& 
 // The tiles of `later` in place of those of the same name.
 void applySlots(io::InstanceTiles& tiles, const InstanceSlots& later);
 std::size_t countIn(const io::InstanceTiles& tiles, const PlantRegion& region);
+std::size_t countIn(const LayerTiles& layer, const PlantRegion& region); // of those that are meant
 
 } // namespace editor

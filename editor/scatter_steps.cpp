@@ -1,5 +1,6 @@
 #include "editor/scatter_steps.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace editor {
@@ -50,6 +51,31 @@ void liftPlants(Document& document, const std::string& name, const io::HeightMap
                 if (lifted != *tile) slots.emplace_back(where, std::make_shared<const io::InstanceTile>(std::move(lifted)));
             }
     if (!slots.empty()) setInstances(document, name, std::move(slots));
+}
+
+void setSpecies(Document& document, const std::string& name, io::ScatterId id, std::vector<io::Species> species)
+{
+    const io::ScatterLayer* known = document.scene().find(id);
+    if (!known) return;
+    constexpr int kGone = -1;
+    std::vector<int> numbers; // of the old ones, in the new list; plants know theirs by number
+    for (const io::Species& old : known->species) {
+        const auto found = std::ranges::find(species, old.templateName, &io::Species::templateName);
+        numbers.push_back(found == species.end() ? kGone : int(found - species.begin()));
+    }
+    InstanceSlots slots;
+    for (const auto& [place, tile] : document.scene().instances(id)) {
+        io::InstanceTile now = *tile;
+        std::erase_if(now.instances, [&](const io::Instance& instance) { return instance.species >= numbers.size() || numbers[instance.species] == kGone; });
+        for (io::Instance& instance : now.instances)
+            instance.species = std::uint8_t(numbers[instance.species]);
+        if (now != *tile) slots.emplace_back(io::LayerTile{id, place}, now.empty() ? nullptr : std::make_shared<const io::InstanceTile>(std::move(now)));
+    }
+    const Gesture gesture{document, name};
+    if (!slots.empty()) setInstances(document, name, std::move(slots));
+    std::vector<io::ScatterLayer> layers{document.scene().scatterLayers().begin(), document.scene().scatterLayers().end()};
+    std::ranges::find(layers, id, &io::ScatterLayer::id)->species = std::move(species);
+    setScatterLayers(document, name, std::move(layers));
 }
 
 void clearPlants(Document& document, const std::string& name, io::ScatterId layer)

@@ -24,6 +24,9 @@ void followRules(Document& document, const std::string& name, const PlaneRect& b
 // Plants of all layers that stood on the ground as it was do so on the one that is there. Nothing is asked of rules.
 void liftPlants(Document& document, const std::string& name, const io::HeightMap& before, const PlaneRect& bounds);
 
+// Another list of species, by their templates: plants keep theirs, and those of species that are gone go.
+void setSpecies(Document& document, const std::string& name, io::ScatterId layer, std::vector<io::Species> species);
+
 // Nothing planted or erased is left.
 void clearPlants(Document& document, const std::string& name, io::ScatterId layer);
 

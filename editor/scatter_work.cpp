@@ -10,11 +10,13 @@ ScatterWork::~ScatterWork()
     if (m_thread.joinable()) m_thread.join();
 }
 
-void ScatterWork::start(LayerTiles layer, Planting planting, bool beside)
+void ScatterWork::start(const io::Scene& scene, LayerTiles layer, Planting planting, bool beside)
 {
     cancel();
     if (m_thread.joinable()) m_thread.join();
     m_layer = std::move(layer);
+    m_heights = scene.heights();
+    m_cover = scene.cover();
     m_planting.emplace(std::move(planting));
     m_made.reset();
     m_done = m_cancelled = false;
@@ -43,7 +45,8 @@ std::optional<InstanceSlots> ScatterWork::finished(const io::Scene& scene)
     if (m_thread.joinable()) m_thread.join();
     m_done = false;
     std::optional<InstanceSlots> made = std::exchange(m_made, std::nullopt);
-    if (m_cancelled || !scene.find(m_layer->layer) || scene.instances(m_layer->layer) != m_layer->tiles) made.reset();
+    m_late = !m_cancelled && (!scene.find(m_layer->layer) || scene.instances(m_layer->layer) != m_layer->tiles || scene.heights() != m_heights || scene.cover() != m_cover);
+    if (m_cancelled || m_late) made.reset();
     return made;
 }
 

@@ -4,6 +4,7 @@
 #include "editor/placement.h"
 #include "editor/properties.h"
 #include "io/scene/ground.h"
+#include "io/scene/ground_layers.h"
 
 #include <algorithm>
 
@@ -78,12 +79,20 @@ Answer height(Script& script, Arguments& arguments)
 {
     const auto at = arguments.ground("at");
     if (!at) arguments.fail("needs \"at\"");
+    const bool layer = arguments.flag("layer", false);
     if (const auto fault = arguments.finish()) return *fault;
-    const auto& heights = script.document().scene().heights();
+    const io::Scene& scene = script.document().scene();
+    const auto& heights = scene.heights();
     const auto height = io::groundHeight(script.document().scene(), at->x, at->y);
     if (!height) return io::Error{{}, "there is no ground there"};
     const glm::dvec3 normal = heights->normal(at->x, at->y).value_or(glm::dvec3{0, 1, 0});
-    return io::Value::Object{{"height", *height}, {"normal", toValue(normal)}};
+    io::Value::Object found{{"height", *height}, {"normal", toValue(normal)}};
+    if (layer && !scene.terrain().layers.empty()) { // that shows most, without the noise at their borders
+        const io::GroundLayers::Shares shares = io::GroundLayers{heights, scene.cover(), scene.terrain().layers}.at(at->x, at->y);
+        const auto most = std::size_t(std::ranges::max_element(shares) - shares.begin());
+        if (shares[most] > 0) found.emplace_back("layer", scene.terrain().layers[most].name);
+    }
+    return found;
 }
 
 Answer pick(Script& script, Arguments& arguments)

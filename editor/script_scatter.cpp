@@ -78,6 +78,8 @@ Answer scatterLayer(Script& script, Arguments& arguments)
         layer.id = document.freshScatterId();
         layers.push_back(layer);
     }
+    const Gesture gesture{document, known ? "Change scatter layer" : "Add scatter layer"};
+    if (known && layer.species != known->species) setSpecies(document, "Change scatter layer", layer.id, layer.species);
     setScatterLayers(document, known ? "Change scatter layer" : "Add scatter layer", std::move(layers));
     return answer(countsOf(document, layer.id));
 }
@@ -175,8 +177,11 @@ Answer replace(Script& script, Arguments& arguments)
     if (const auto fault = arguments.finish()) return *fault;
     const auto indexOf = [](const std::vector<bool>& meant) { return std::uint8_t(std::ranges::find(meant, true) - meant.begin()); };
     const Document& document = script.document();
-    return changed(script, *layer, "Replace species",
-                   replaced(layerTiles(document.scene(), *layer), plantRules(document.scene(), document.assets(), *layer), region, indexOf(from), indexOf(to)));
+    LayerTiles tiles = layerTiles(document.scene(), *layer);
+    tiles.species = from;
+    const std::size_t count = countIn(tiles, region);
+    setInstances(script.document(), "Replace species", replaced(tiles, plantRules(document.scene(), document.assets(), *layer), region, indexOf(from), indexOf(to)));
+    return io::Value::Object{{"count", std::uint64_t(io::instanceCount(script.document().scene().instances(tiles.layer)))}, {"changed", std::uint64_t(count)}};
 }
 
 // A rule layer anew, besides what was done by hand.

@@ -33,6 +33,7 @@ Answer sculpt(Script& script, Arguments& arguments)
     const auto at = arguments.pair("at"), to = arguments.pair("to");
     if (!at) arguments.fail("needs \"at\"");
     if (brush.tool == BrushTool::Ramp && !to) arguments.fail("a ramp needs \"to\"");
+    if (brush.tool == BrushTool::Ramp && at && to && glm::distance(*at, *to) < 1e-3) arguments.fail("\"at\" and \"to\" of a ramp are one place");
     if (!shapes(brush.tool)) arguments.fail("layers are painted by \"do\":\"paint\", grass by \"do\":\"grass\"");
     brush.radius = float(arguments.number("radius", double(brush.radius), 0.01, 1e5));
     const double strength = arguments.number("strength", 1, -1e5, 1e5);

@@ -62,6 +62,7 @@ Rows frameRows(const FrameHistory& frames, const renderer::FrameStats& stats)
         rows.emplace_back(tr("statistics.levels"), "");
         rows.emplace_back("", std::move(levels));
     }
+    rows.emplace_back(tr("statistics.grass"), grassText(stats, true));
     rows.emplace_back(tr("statistics.submitted"), grouped(stats.trianglesSubmitted));
     rows.emplace_back(tr("statistics.draws"), grouped(stats.drawCalls));
     rows.emplace_back(tr("statistics.uploaded"), byteText(stats.uploadedBytes));
@@ -144,6 +145,12 @@ private:
 };
 
 } // namespace
+
+std::string grassText(const renderer::FrameStats& stats, bool why)
+{
+    if (stats.grassLeftOut == 0) return grouped(stats.grassDrawn);
+    return trf(why ? "statistics.grass_limited" : "statistics.of", grouped(stats.grassDrawn), grouped(stats.grassDrawn + stats.grassLeftOut));
+}
 
 void statisticsOverlay(const FrameHistory& frames, const renderer::FrameStats& stats, const WorldMemory& world, ImVec2 top,
                        ImVec2 room)

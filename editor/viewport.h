@@ -13,6 +13,7 @@
 #include "editor/selection.h"
 #include "editor/sound_shape.h"
 #include "editor/stroke.h"
+#include "editor/terrain_ray.h"
 #include "renderer/renderer.h"
 
 #include <imgui.h>
@@ -129,6 +130,7 @@ private:
     void drawFaults(Editor& editor) const;
     void drawStatistics(Editor& editor) const;
 
+    std::optional<glm::dvec3> strokeGroundAt(const glm::dvec2& pixel) const;
     glm::dvec2 pointer() const; // pixels from the viewport's top left
     bool clickDistance() const; // the pointer has moved since the press
 
@@ -154,6 +156,7 @@ private:
     std::optional<ShownSound> m_soundDragged; // as it was at the beginning
 
     std::optional<Stroke> m_stroke;
+    TerrainRay m_strokeGround; // as it was when that began
     std::optional<ScatterStroke> m_scatterStroke;
     std::optional<glm::dvec3> m_brushAt; // the ground under the pointer
 

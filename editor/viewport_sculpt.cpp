@@ -1,6 +1,7 @@
 // The brush in the viewport: strokes over the ground, and the ring that shows where they fall.
 #include "editor/brush_ring.h"
 #include "editor/editor.h"
+#include "editor/pointer_way.h"
 #include "editor/stamp_file.h"
 #include "editor/text.h"
 #include "editor/viewport.h"
@@ -24,6 +25,8 @@ void Viewport::beginStroke(Editor& editor)
     const ImGuiIO& io = ImGui::GetIO();
     if (!m_brushAt) return;
     const StrokeKeys keys{.inverted = io.KeyCtrl, .smooths = io.KeyShift, .objectsFollow = objectsFollow};
+    if (brush.tool == BrushTool::Stamp && !brush.stamp) return editor.toasts().add(io::log::Level::Warning, tr("message.no_stamp"));
+    m_strokeGround = editor.picker().ground();
     m_stroke.emplace(*editor.document(), brush, keys, stepNameOf(toolWith(brush.tool, keys)));
     m_stroke->to(*m_brushAt);
     m_drag = Drag::Stroke;
@@ -41,7 +44,12 @@ void Viewport::holdStroke(Editor& editor, double seconds)
     }
     const ImVec2 moved = ImGui::GetIO().MouseDelta;
     if (moved.x != 0 || moved.y != 0) {
-        if (m_brushAt) m_stroke->to(*m_brushAt);
+        glm::dvec2 last{-kFarthest};
+        for (const glm::dvec2& at : pointerWay()) { // a slow frame sees much of the way at once
+            last = at - glm::dvec2{m_min.x, m_min.y};
+            if (const auto ground = strokeGroundAt(last)) m_stroke->to(*ground);
+        }
+        if (m_brushAt && glm::distance(last, pointer()) > 1.5) m_stroke->to(*m_brushAt); // ImGui's is in whole points
     } else {
         m_stroke->rest(seconds);
     }
@@ -52,9 +60,17 @@ void Viewport::endStroke()
 {
     if (m_stroke) m_stroke->end();
     m_stroke.reset();
+    m_strokeGround = {};
 }
 
-// While a stroke is drawn the ground under the pointer is that of a moment ago, or a hill would run from under its brush.
+// Where the pointer is on the ground as it was when the stroke began: by the ground that the stroke makes its hill would run from
+// under the brush, and how far depended on how many frames it took.
+std::optional<glm::dvec3> Viewport::strokeGroundAt(const glm::dvec2& pixel) const
+{
+    const auto hit = m_strokeGround.hit(rayThrough(view(), pixel), kFarthest);
+    return hit ? std::optional{hit->position} : std::nullopt;
+}
+
 void Viewport::updateBrush(Editor& editor)
 {
     m_brushAt.reset();
@@ -62,6 +78,10 @@ void Viewport::updateBrush(Editor& editor)
     if (!sculpting) return;
     if (m_drag != Drag::None && m_drag != Drag::Stroke) return;
     if (!m_hovered && m_drag != Drag::Stroke) return;
+    if (m_drag == Drag::Stroke) {
+        m_brushAt = strokeGroundAt(pointer());
+        return;
+    }
     const PickHit hit = editor.picker().pick(view(), pointer(), {.objects = false, .maxDistance = kFarthest});
     if (hit.surface == Surface::Terrain) m_brushAt = hit.position;
     if (m_drag == Drag::None && pressed(Key::Escape)) sculpting = false;

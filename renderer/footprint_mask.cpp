@@ -3,6 +3,7 @@
 #include "renderer/shaders/shared/grass.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace renderer {
@@ -12,7 +13,7 @@ constexpr double kTexel = double(GRASS_CELL);
 constexpr double kReach = kTexel * 0.7072; // from a texel's centre to its corners
 constexpr double kTall = 1e5;              // m: things at any height
 constexpr double kAfloat = 0.6;            // m over the ground, from where on nothing is kept out of
-constexpr std::int64_t kStep = 64;         // texels that the window moves by
+constexpr std::int64_t kStep = 16;         // texels that the window moves by
 
 // With one more on each side.
 io::TexelRect texelsAround(const glm::dvec2& from, const glm::dvec2& to) // world, m
@@ -22,11 +23,14 @@ io::TexelRect texelsAround(const glm::dvec2& from, const glm::dvec2& to) // worl
 
 } // namespace
 
-void FootprintMask::update(const World& world, const Terrain& terrain, const glm::dvec3& eye)
+void FootprintMask::update(const World& world, const Terrain& terrain, const glm::dvec3& eye, double distance)
 {
-    if (!m_texture) {
+    const auto side = int(std::bit_ceil(std::uint32_t(std::ceil(distance * 2 / kTexel)) + std::uint32_t(kStep)));
+    if (side != m_side) {
+        m_side = side;
+        m_known = false;
         m_texture = gl::Texture{{.label = "footprints", .size = glm::ivec2{m_side}, .format = GL_R8, .filter = GL_NEAREST, .wrap = GL_REPEAT}};
-        m_texels.resize(std::size_t(m_side) * std::size_t(m_side));
+        m_texels.assign(std::size_t(m_side) * std::size_t(m_side), 0);
     }
     const io::Texel middle = io::Texel{glm::floor(glm::dvec2{eye.x, eye.z} / kTexel / double(kStep))} * kStep, half{m_side / 2};
     const io::TexelRect window{middle - half, middle + half};

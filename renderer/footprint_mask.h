@@ -12,10 +12,8 @@ namespace renderer {
 
 class FootprintMask {
 public:
-    explicit FootprintMask(int side = 2048) : m_side{side} {} // texels of GRASS_CELL, a power of two
-
-    // Once a frame, before others forget what was touched. What is farther than half the window may be missing.
-    void update(const World& world, const Terrain& terrain, const glm::dvec3& eye);
+    // Once a frame, before others forget what was touched. It knows all to so many metres from the eye.
+    void update(const World& world, const Terrain& terrain, const glm::dvec3& eye, double distance);
     void forget() { m_known = false; } // the next update looks at all of it
 
     const gl::Texture& texture() const { return m_texture; } // R8, above 0: covered
@@ -30,7 +28,7 @@ private:
         return std::size_t(texel.y & (m_side - 1)) * std::size_t(m_side) + std::size_t(texel.x & (m_side - 1));
     }
 
-    int m_side;
+    int m_side = 0; // texels of GRASS_CELL, a power of two
     bool m_known = false;
     io::TexelRect m_window; // of the world
     std::uint64_t m_worldRevision = 0, m_terrainRevision = 0;

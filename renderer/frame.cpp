@@ -75,7 +75,7 @@ Picture Renderer::State::render(const FrameInput& in)
     clouds.update(gpu, cloudy, in.settings.cloudKind, in.alone);
     skyTables.update(gpu, viewpoint.light, viewpoint.heavens, cloudy, in.alone);
     scenery.terrain.aim(viewpoint.eye, viewpoint.culledFor, in.settings.lod ? in.settings.lodPixels : 1.0f);
-    if (in.settings.grass && scenery.grass.present()) scenery.footprints.update(scenery.world, scenery.terrain, viewpoint.eye.position);
+    if (in.settings.grass && scenery.grass.present()) scenery.footprints.update(scenery.world, scenery.terrain, viewpoint.eye.position, double(in.settings.grassDistance));
     lamps.render(gpu, scenery, viewpoint, in.settings);
     shadow.render(gpu, scenery, viewpoint, in.settings);
     if (exposesItself(in.settings, viewpoint)) exposure.bind(gpu, viewpoint.view);

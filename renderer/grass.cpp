@@ -9,6 +9,9 @@ namespace {
 
 constexpr float kHighestFactor = 2; // of a kind's own height
 constexpr double kCell = double(GRASS_CELL);
+constexpr int kBlock = 16;          // texels of the map along a side, whose grass is counted together
+constexpr double kSample = 8;       // m
+constexpr double kInView = 0.4;     // share of what is around an eye that it sees at most: a wide view, and what tiles cannot tell from it
 constexpr double kHalfStep = 1.0 / 1024; // of a number that is kept as a half
 
 bool sees(const std::optional<Volume>& volume, const glm::dvec3& low, const glm::dvec3& high)
@@ -55,6 +58,7 @@ void Grass::update(const io::Scene& scene, const io::Changes& changes)
             m_plants.push_back(kind.plant.empty() ? io::TemplateId::None : scene.findTemplate(kind.plant));
     }
     const auto before = std::exchange(m_map, scene.grassMap());
+    if (m_map && (changes.grass || changes.everything)) measure(m_map->field().rect());
     if (m_map == before) return;
     if (!m_map) {
         m_texels = {};
@@ -66,9 +70,53 @@ void Grass::update(const io::Scene& scene, const io::Changes& changes)
     for (const io::TexelRect& changed : another ? all : changes.grassMap) {
         const io::TexelRect rect = common(changed, m_map->field().rect());
         if (rect.empty()) continue;
+        measure(rect);
         const std::vector<std::uint32_t> rows = m_map->field().read(rect);
         m_texels.uploadPart(glm::ivec2{rect.low}, glm::ivec2{rect.high - rect.low}, rows.data(), GL_RGBA, GL_UNSIGNED_BYTE);
     }
+}
+
+// The blocks that hold those texels.
+void Grass::measure(const io::TexelRect& texels)
+{
+    const io::TexelTiles<std::uint32_t>& field = m_map->field();
+    m_blocks = (m_map->size() + kBlock - 1) / kBlock;
+    m_dense.resize(std::size_t(m_blocks.x) * std::size_t(m_blocks.y));
+    for (int z = int(texels.low.y) / kBlock; z * kBlock < texels.high.y; ++z)
+        for (int x = int(texels.low.x) / kBlock; x * kBlock < texels.high.x; ++x) {
+            const io::Texel low = io::Texel{x, z} * std::int64_t(kBlock);
+            const std::vector<std::uint32_t> block = field.read(common({low, low + io::Texel{kBlock}}, field.rect()));
+            double sum = 0;
+            for (const std::uint32_t bits : block) {
+                const io::GrassCover cover = io::unpackedGrass(bits);
+                for (int i = 0; i < 2; ++i)
+                    if (std::size_t(cover.kind[i]) < m_kinds.size()) sum += double(cover.density[i] * m_kinds[std::size_t(cover.kind[i])].density);
+            }
+            m_dense[std::size_t(z) * std::size_t(m_blocks.x) + std::size_t(x)] = float(sum / double(io::kMostGrass) / double(block.size()));
+        }
+}
+
+float Grass::kept(const Eye& eye, const Settings& settings) const
+{
+    const glm::dvec2 middle{eye.position.x, eye.position.z};
+    const double block = m_map->metresPerTexel * kBlock, distance = double(settings.grassDistance), thinned = double(grassFullTo(settings)) * 0.75;
+    const int samples = std::max(1, int(std::lround(block / kSample)));
+    const double step = block / samples, places = step * step / (kCell * kCell);
+    const glm::ivec2 low = glm::max(glm::ivec2{glm::floor((middle - distance - m_map->origin) / block)}, glm::ivec2{0});
+    const glm::ivec2 high = glm::min(glm::ivec2{glm::floor((middle + distance - m_map->origin) / block)}, m_blocks - 1);
+    double plants = 0;
+    for (int z = low.y; z <= high.y; ++z)
+        for (int x = low.x; x <= high.x; ++x) {
+            const double dense = double(m_dense[std::size_t(z) * std::size_t(m_blocks.x) + std::size_t(x)]);
+            if (dense <= 0) continue;
+            for (int i = 0; i < samples * samples; ++i) {
+                const glm::dvec2 at = m_map->origin + glm::dvec2{x, z} * block + (glm::dvec2{i % samples, i / samples} + 0.5) * step;
+                const double away = glm::distance(at, middle);
+                if (away < distance) plants += dense * places * std::min(1.0, thinned * thinned / (away * away)); // a quarter at twice as far
+            }
+        }
+    const double seen = plants * double(settings.grassDensity) * kInView;
+    return float(std::clamp(double(settings.mostBlades) / std::max(seen, 1.0), 1e-6, 1.0));
 }
 
 std::vector<glsl::GrassTile> Grass::tiles(const Terrain& terrain, const Eye& eye, const std::optional<Volume>& volume, const Settings& settings) const
@@ -111,6 +159,7 @@ glsl::GrassFrame Grass::frame(const Eye& eye, const Settings& settings) const
     frame.full = grassFullTo(settings);
     frame.distance = settings.grassDistance;
     frame.density = settings.grassDensity;
+    frame.kept = kept(eye, settings);
     frame.most = std::uint32_t(std::max(settings.mostBlades, 0));
     for (std::size_t i = 0; i < m_kinds.size(); ++i)
         frame.kind[i] = kindOf(m_kinds[i]);

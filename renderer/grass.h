@@ -22,6 +22,9 @@ public:
     std::vector<glsl::GrassTile> tiles(const Terrain& terrain, const Eye& eye, const std::optional<Volume>& volume, const Settings& settings) const;
     // Of the map, the kinds and the eye; the pass adds what it alone knows.
     glsl::GrassFrame frame(const Eye& eye, const Settings& settings) const;
+    // The share of plants that stays where too many may grow around an eye to be drawn. It does not ask which way the eye looks, so that
+    // turning it takes none away.
+    float kept(const Eye& eye, const Settings& settings) const;
     const gl::Texture& map() const { return m_texels; }
     std::span<const io::TemplateId> plants() const { return m_plants; } // whose models kinds show, by kind; None: blades
 
@@ -31,6 +34,10 @@ private:
     std::vector<io::TemplateId> m_plants;
     gl::Texture m_texels;
     float m_tallest = 0; // m
+
+    void measure(const io::TexelRect& texels);
+    glm::ivec2 m_blocks{0};      // of texels of the map
+    std::vector<float> m_dense;  // plants a cell that may grow in each, before rules of the ground take from them
 };
 
 constexpr float grassFullTo(const Settings& settings) // m, from there on fewer are drawn

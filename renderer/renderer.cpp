@@ -86,6 +86,12 @@ void Renderer::update(const io::Scene& scene, const io::Assets& assets, const io
         m_state->thumbnails.forget(id);
 }
 
+void Renderer::move(std::span<const io::Moved> things)
+{
+    for (const io::Moved& thing : things)
+        m_state->scenery.world.move(thing.id, thing.transform);
+}
+
 Picture Renderer::render(const FrameInput& input)
 {
     return m_state->render(input);

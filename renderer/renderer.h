@@ -7,6 +7,7 @@
 #include "io/scene/assets.h"
 #include "io/scene/camera.h"
 #include "io/scene/changes.h"
+#include "io/scene/moved.h"
 #include "io/scene/scene.h"
 #include "renderer/settings.h"
 
@@ -120,6 +121,9 @@ public:
 
     // Brings the mirror up to date; costs what `changes` names.
     void update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes);
+
+    // Draws things elsewhere than the scene has them, as between two steps of a simulation, until an update names them.
+    void move(std::span<const io::Moved> things);
 
     // Draws one frame. The picture stays valid until the next call.
     Picture render(const FrameInput& input);

@@ -160,6 +160,12 @@ void World::updateObject(const io::Scene& scene, io::ObjectId id)
     else m_handleOf[io::number(id)] = now;
 }
 
+void World::move(io::ObjectId id, const io::Transform& transform)
+{
+    const glsl::CullRecord* record = recordOf(id);
+    if (record && isFinite(transform)) place(handleOf(id), {id, io::TemplateId{record->templateId}, transform});
+}
+
 InstanceHandle World::place(InstanceHandle handle, const Standing& standing)
 {
     const TemplateState& state = stateOf(standing.templateId);

@@ -25,6 +25,7 @@ struct ModelRef { // false: none
 class World {
 public:
     void update(const io::Scene& scene, const io::Assets& assets, const io::Changes& changes);
+    void move(io::ObjectId id, const io::Transform& transform); // an object, until the next update of it
     void select(std::span<const io::ObjectId> ids); // marked in the GBuffer
     void upload(bool culledThere);                  // what changed since the last call; spheres where the GPU culls
 

@@ -90,6 +90,7 @@ void keep(Measured& measured, const renderer::FrameStats& stats)
     count("instances_large", stats.instancesLarge);
     count("instances_hidden", stats.instancesHidden);
     count("grass_blades", stats.grassDrawn);
+    count("grass_left_out", stats.grassLeftOut);
     count("uploaded_bytes", stats.uploadedBytes);
     count("gpu_mb", stats.gpuBytes >> 20);
     measured.levels.resize(stats.trianglesOfLevel.size());

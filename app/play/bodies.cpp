@@ -462,7 +462,7 @@ void Bodies::step(const Walker& walker)
         body.asleep = true;
         if (body.now != body.begun) m_moved.push_back({id, body.now = body.begun});
     }
-    std::ranges::stable_sort(m_moved, {}, &Moved::id);
+    std::ranges::stable_sort(m_moved, {}, &io::Moved::id);
 }
 
 double Bodies::push(const Touched& touched, double feet, double mass)

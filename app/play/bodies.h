@@ -8,6 +8,7 @@
 
 #include "app/play/obstacles.h"
 #include "app/play/walker.h"
+#include "io/scene/moved.h"
 
 #include <utility>
 
@@ -24,11 +25,7 @@ public:
     void follow(io::ObjectId id); // an object came or went otherwise than by step()
     void step(const Walker& walker);
 
-    struct Moved {
-        io::ObjectId id = io::ObjectId::None;
-        io::Transform transform;
-    };
-    const std::vector<Moved>& moved() const { return m_moved; } // in the last step, in the order of ids
+    const std::vector<io::Moved>& moved() const { return m_moved; } // in the last step, in the order of ids
 
     bool holds(io::ObjectId id) const { return find(id) != nullptr; }
     std::size_t awake() const;  // bodies that move
@@ -61,7 +58,7 @@ private:
     std::unique_ptr<Obstacles> m_obstacles;
     std::vector<std::unique_ptr<Body>> m_bodies; // in the order of ids
     std::vector<Body*> m_present;                // those that can move, likewise
-    std::vector<Moved> m_moved;
+    std::vector<io::Moved> m_moved;
     std::vector<io::ObjectId> m_lost;
     glm::dvec3 m_lookedFrom{0};
     long m_steps = 0;

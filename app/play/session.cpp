@@ -156,9 +156,11 @@ void Session::push()
 void Session::moveBodies()
 {
     m_bodies.step(m_walker);
-    for (const Bodies::Moved& moved : m_bodies.moved()) {
+    m_ways.clear();
+    for (const io::Moved& moved : m_bodies.moved()) {
         const io::Object* object = m_scene.find(moved.id);
         if (!object) continue;
+        m_ways.push_back({moved.id, object->transform, moved.transform});
         io::Object copy = *object;
         copy.transform = moved.transform;
         change(moved.id, std::move(copy));
@@ -243,6 +245,17 @@ void Session::show(const std::string& name, bool shown)
     }
 }
 
+std::vector<io::Moved> Session::between(double share) const
+{
+    std::vector<io::Moved> things;
+    for (const Way& way : m_ways) {
+        io::Moved& thing = things.emplace_back(way.id, way.to);
+        thing.transform.position = glm::mix(way.from.position, way.to.position, share);
+        thing.transform.rotation = io::eulerDegrees(glm::slerp(io::orientation(way.from.rotation), io::orientation(way.to.rotation), share));
+    }
+    return things;
+}
+
 io::Camera Session::eye(const glm::dvec3& at) const
 {
     io::Camera camera = m_begin;
@@ -286,7 +299,7 @@ std::string traceLine(const Session& session)
 {
     const Walker& walker = session.walker();
     io::Value::Array contacts, sounds, moved;
-    for (const Bodies::Moved& body : session.bodies().moved())
+    for (const io::Moved& body : session.bodies().moved())
         moved.push_back(io::Value::Object{{"id", double(number(body.id))}, {"position", asValue(body.transform.position)}, {"rotation", asValue(body.transform.rotation)}});
     for (const Touched& touched : walker.touched())
         contacts.push_back(io::Value::Object{{"id", double(number(touched.id))}, {"normal", asValue(touched.normal)}, {"speed", touched.speed}});

@@ -39,6 +39,7 @@ public:
     const std::vector<Event>& events() const { return m_events; } // of the last step
     long steps() const { return m_steps; }
     io::Camera camera(double share = 1) const; // between the last two steps
+    std::vector<io::Moved> between(double share) const; // where bodies are that moved in the last step
     io::Changes takeChanges();                 // of the scene, since the last call
     // What stands otherwise than in the document: as it was, and as it is now, or nothing where it is hidden. In the order of ids.
     std::vector<std::pair<io::Object, std::optional<io::Object>>> left() const;
@@ -74,6 +75,11 @@ private:
     std::unordered_map<std::uint32_t, std::optional<io::Object>> m_original; // what the document holds of what changed
     std::vector<io::Object> m_hidden;
     io::Changes m_changes;
+    struct Way {
+        io::ObjectId id = io::ObjectId::None;
+        io::Transform from, to;
+    };
+    std::vector<Way> m_ways; // of bodies in the last step
     std::size_t m_most = 4096; // of m_changes, before repeated ones are looked for
     io::ObjectId m_stoodOn = io::ObjectId::None;
     io::Transform m_stoodAt;

@@ -37,6 +37,7 @@ void PlayView::begin(const PlayBegin& begin)
     m_coming.reset();
     m_trod.clear();
     m_shapes.reset();
+    m_between.clear();
     m_messages = {{editor::tr(begin.alone ? "play.hint_alone" : "play.hint"), kHintStays}};
     m_controls = play::Controls{begin.document->project().controls};
     m_session.emplace(begin.document->scene(), begin.document->assets(), begin.camera, begin.fromMarker);
@@ -158,6 +159,7 @@ void PlayView::runImGui()
     if (!changes.none()) m_renderer.update(m_session->scene(), m_begin.document->assets(), changes);
     m_heard.add(changes);
     hear(m_seconds);
+    moveBetween();
 
     const std::vector<renderer::Presser> pressed = pressers();
     renderer::FrameInput in;
@@ -174,6 +176,17 @@ void PlayView::runImGui()
     ImGui::GetBackgroundDrawList()->AddImage(reinterpret_cast<ImTextureID>(picture.texture), {0, 0}, io.DisplaySize, {0, 1}, {1, 0});
     drawOverlay();
     if (!m_begin.repeatable && m_seconds > 0) m_scale = std::clamp(m_scale * std::clamp(std::sqrt(kFastEnough / m_seconds), 0.85, 1.04), kCoarsest, 1.0);
+}
+
+// Bodies are where the camera sees them from: between the last two steps. What has come to rest goes to where it is.
+void PlayView::moveBetween()
+{
+    std::vector<io::Moved> rested;
+    for (const io::Moved& thing : m_between)
+        if (const io::Object* object = m_session->scene().find(thing.id)) rested.push_back({thing.id, object->transform});
+    m_renderer.move(rested);
+    m_between = m_session->between(m_rest / play::kStep);
+    m_renderer.move(m_between);
 }
 
 // What can be run into, what moves by itself, and the player.

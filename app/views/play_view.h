@@ -64,6 +64,7 @@ private:
     std::vector<renderer::Presser> pressers() const;
     glm::ivec2 pictureSize() const;
     std::span<const renderer::Line> lines();
+    void moveBetween();
     void drawOverlay() const;
 
     renderer::Renderer& m_renderer;
@@ -84,6 +85,7 @@ private:
     glm::dvec3 m_before{0}; // feet at the last frame
     std::optional<play::ShapeLines> m_shapes; // while they are shown
     std::vector<renderer::Line> m_lines;
+    std::vector<io::Moved> m_between; // things that are drawn between the last two steps
     bool m_overlay = false, m_wantsBack = false;
 };
 

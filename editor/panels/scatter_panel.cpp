@@ -59,19 +59,11 @@ void addSpecies(Editor& editor, io::ScatterId id, io::TemplateId what)
     });
 }
 
-// Plants know their species by number, so those of the one that goes go with it, and the others get new numbers.
 void removeSpecies(Document& document, const std::string& name, const io::ScatterLayer& layer, std::size_t index)
 {
-    InstanceSlots slots;
-    for (const auto& [place, tile] : document.scene().instances(layer.id)) {
-        io::InstanceTile now = *tile;
-        std::erase_if(now.instances, [&](const io::Instance& instance) { return instance.species == index; });
-        for (io::Instance& instance : now.instances)
-            instance.species = std::uint8_t(instance.species - (instance.species > index));
-        slots.emplace_back(io::LayerTile{layer.id, place}, now.empty() ? nullptr : std::make_shared<const io::InstanceTile>(std::move(now)));
-    }
-    setInstances(document, name, std::move(slots));
-    change(document, name, layer.id, [&](io::ScatterLayer& l) { l.species.erase(l.species.begin() + std::ptrdiff_t(index)); });
+    std::vector<io::Species> species = layer.species;
+    species.erase(species.begin() + std::ptrdiff_t(index));
+    setSpecies(document, name, layer.id, std::move(species));
 }
 
 void speciesChoice(const io::ScatterLayer& layer, const char* key, int& chosen, bool withAll)

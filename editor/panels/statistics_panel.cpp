@@ -2,6 +2,7 @@
 
 #include "editor/editor.h"
 #include "editor/numbers_text.h"
+#include "editor/statistics_overlay.h"
 #include "editor/text.h"
 #include "editor/widgets.h"
 
@@ -73,6 +74,7 @@ void StatisticsPanel::figures(Editor& editor)
             {"statistics.large", grouped(stats.instancesLarge)},
             {"statistics.hidden", stats.occlusionTested ? grouped(stats.instancesHidden) : tr("statistics.not_tested")},
             {"statistics.instances_drawn", grouped(stats.instancesDrawn)},
+            {"statistics.grass", grassText(stats, false)},
             {"statistics.uploaded", byteText(stats.uploadedBytes)},
             {"statistics.gpu_memory", byteText(stats.gpuBytes)}};
         for (const auto& [key, value] : all)

@@ -8,6 +8,7 @@
 #include "editor/project_files.h"
 #include "editor/text.h"
 #include "editor/widgets.h"
+#include "io/base/contract.h"
 #include "io/base/log.h"
 
 #include <algorithm>
@@ -144,7 +145,8 @@ void TerrainPanel::measures(Editor& editor)
     }
     if (!ui.changes().empty()) {
         editor.beginEdit(ui.changedKey(), trf("undo.edit", ui.changedLabel()));
-        setTerrain(*editor.document(), ui.changedLabel(), std::move(shown));
+        if (const io::Status set = setTerrain(*editor.document(), ui.changedLabel(), std::move(shown)); !set)
+            editor.toasts().add(io::log::Level::Error, set.error().text());
     }
 }
 
@@ -206,7 +208,7 @@ void TerrainPanel::layerFields(Editor& editor, std::size_t index)
     fields(ui, shown.layers[index]);
     if (ui.changes().empty()) return;
     editor.beginEdit(ui.changedKey() + std::to_string(index), trf("undo.edit", ui.changedLabel()));
-    setTerrain(*editor.document(), ui.changedLabel(), std::move(shown));
+    EXPECTS(setTerrain(*editor.document(), ui.changedLabel(), std::move(shown))); // the heights are the same
 }
 
 } // namespace editor

@@ -53,8 +53,8 @@ Result<HeightExport> exportHeights(const fs::path& file, const HeightMap& height
     if (const Status written = writeFile(file, *bytes); !written) return written.error();
     done.written.push_back(file);
     if (!raw) return done;
-    fs::path header = file;
-    header.replace_extension(".hdr");
+    fs::path header = file; // with the file's whole name, as .r16 and .r32 of one name differ
+    header += ".hdr";
     const auto range = done.metres ? std::nullopt : std::optional{glm::dvec2{to.minHeight, to.maxHeight}};
     const std::string text = rawHeaderText(grid.size, done.metres ? HeightSample::F32 : HeightSample::U16, heights.metresPerTexel, heights.origin, range);
     if (const Status written = writeFile(header, text); !written) return written.error();

@@ -61,10 +61,14 @@ template <class T> std::vector<float> firstChannel(const Image& image)
 std::optional<std::string> sidecar(const fs::path& file, std::initializer_list<const char*> extensions)
 {
     for (const char* extension : extensions) {
-        fs::path beside = file;
-        std::error_code fault;
-        if (!fs::is_regular_file(beside.replace_extension(extension), fault)) continue;
-        if (Result<std::string> text = readFile(beside, 1 << 16)) return *std::move(text);
+        fs::path whole = file, stem = file; // NAME.r16.hdr, NAME.hdr
+        whole += extension;
+        stem.replace_extension(extension);
+        for (const fs::path& beside : {whole, stem}) {
+            std::error_code fault;
+            if (!fs::is_regular_file(beside, fault)) continue;
+            if (Result<std::string> text = readFile(beside, 1 << 16)) return *std::move(text);
+        }
     }
     return std::nullopt;
 }

@@ -37,7 +37,7 @@ struct ScatterLayer {
     glm::vec2 slope{0, 35};      // degrees from level
     glm::vec2 altitude{-1e5f, 1e5f}; // m
     std::string ground;          // only where this terrain layer shows; empty: anywhere
-    float clearance = 0;         // m, to the footprints of objects
+    float clearance = 0;         // m, to the footprints of objects and of other layers' plants
     bool meshes = false;         // also on top of objects, not on the ground alone
     bool shown = true;           // drawn and picked
     std::uint32_t seed = 1;

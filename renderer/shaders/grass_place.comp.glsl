@@ -24,6 +24,7 @@ layout(std430, binding = GRASS_PLANTS_BINDING) writeonly buffer Plants { Instanc
 layout(binding = HEIGHTS_UNIT) uniform MAP_TEXTURE heights;
 
 const float kFadeFrom = 0.6;  // of a level's end: from there on those that the next one lacks shrink
+const float kMostWide = 12.0;
 const float kMostSpread = 2.0; // of those that stand for others
 const float kEndsFrom = 0.75; // of the distance to which grass is drawn
 
@@ -48,11 +49,19 @@ float heightOf(ivec2 texel, vec2 f)
     return d + (c - d) * (1.0 - f.x) + (b - d) * (1.0 - f.y);
 }
 
-// Where more were found than may be drawn, some stay for all, the same ones each time, and stand wider.
+// Where more may grow around the eye than can be drawn, some stay for all, the same ones each time, and stand wider. So it is where still
+// more were found in view.
 float keptShare()
 {
     float most = float(grass.most);
-    return clamp((most - 3.0 * sqrt(most)) / float(max(counts.found, 1u)), 1e-6, 1.0);
+    return min(grass.kept, clamp((most - 3.0 * sqrt(most)) / float(max(counts.found, 1u)), 1e-6, 1.0));
+}
+
+// A quarter as many are left at twice as far, so that each must cover four times as much.
+float spreadAt(float away)
+{
+    float times = max(1.0, away / (kFadeFrom * grass.full));
+    return min(times * times, kMostWide);
 }
 
 #ifdef PLANTS
@@ -109,7 +118,7 @@ void main()
     float kept = keptShare(), chance = (float(h.y & 65535u) + 0.5) * (1.0 / 65536.0);
     float lasting = kept < 1.0 ? 1.0 - smoothstep(kept * 0.8, kept, chance) : 1.0;
     if (shrink <= 0.0) return;
-    Growth g = growthAt(k, cell, jitter, h, factor, shrink * max(lasting, 0.01), max(1.0, away / (kFadeFrom * grass.full)) * min(inversesqrt(kept), kMostSpread));
+    Growth g = growthAt(k, cell, jitter, h, factor, shrink * max(lasting, 0.01), spreadAt(away) * min(inversesqrt(kept), kMostSpread));
 #ifdef HIDDEN
     if (hidden(root + vec3(0.0, g.tall * 0.5, 0.0), g.tall + g.wide)) return;
 #endif

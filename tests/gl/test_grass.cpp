@@ -21,6 +21,7 @@ struct Plant {
     float height = 0, width = 0; // m
     int kind = 0;
     std::uint32_t ground = 0; // its colour there
+    glm::vec2 bend{0};        // rad, along x and z
 };
 
 io::GrassKind meadow()
@@ -61,7 +62,7 @@ public:
         v.view = renderer::viewBlock(v.eye, v.eye.clipFromRelative, seconds, 0);
         m_bench.frame(v.view, [&](renderer::GpuFrame& gpu) {
             m_scenery.terrain.aim(v.eye, v.eye);
-            m_scenery.footprints.update(m_scenery.world, m_scenery.terrain, v.eye.position);
+            m_scenery.footprints.update(m_scenery.world, m_scenery.terrain, v.eye.position, double(settings.grassDistance));
             m_scenery.world.forgetTouched();
             m_scenery.terrain.forgetTouched();
             m_geometry.begin(v, true);
@@ -69,7 +70,7 @@ public:
         });
         std::vector<Plant> plants;
         for (const glsl::GrassBlade& blade : m_pass.readBlades())
-            plants.push_back({glm::dvec3{blade.root} + v.eye.position, glm::unpackHalf2x16(blade.size).x, glm::unpackHalf2x16(blade.size).y, int(blade.look >> 8 & 15), blade.ground});
+            plants.push_back({glm::dvec3{blade.root} + v.eye.position, glm::unpackHalf2x16(blade.size).x, glm::unpackHalf2x16(blade.size).y, int(blade.look >> 8 & 15), blade.ground, glm::unpackHalf2x16(blade.bend)});
         return plants;
     }
 
@@ -228,6 +229,73 @@ TEST(Grass, DoesNotGrowThroughAThousandThings)
             inside += std::abs(own.x) < 0.65 * thing.scale && std::abs(own.y) < 0.35 * thing.scale;
         }
     EXPECT_EQ(inside, 0);
+}
+
+TEST(Grass, KeepsOutOfThingsAsFarAsItIsDrawn)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    Meadow meadow;
+    meadow.settings.grassDistance = 240;
+    test::TestWorld& world = meadow.world();
+    const io::TemplateId house = test::addTemplate(world, "house", test::box({12, 3, 12}, {0.5f, 0.4f, 0.3f, 1}));
+    io::Template box = *world.scene.find(house);
+    box.model = "models/house.glb";
+    world.scene.exchange(house, box);
+    const glm::dvec2 far{80, 0}, eye{-120, 0}, behind{far - glm::dvec2{256, 0}}; // the last is not on the ground
+    test::addObject(world, house, {.position = {far.x, groundAt(meadow, far), far.y}});
+    const auto near = [&](const std::vector<Plant>& plants, const glm::dvec2& at) {
+        return std::ranges::count_if(plants, [&](const Plant& plant) { return std::max(std::abs(plant.root.x - at.x), std::abs(plant.root.z - at.y)) < 6; });
+    };
+    meadow.settings.culling = false;
+    const io::Camera camera{.eye = {eye.x, groundAt(meadow, eye) + 30, eye.y}, .yaw = -90, .pitch = -10};
+    EXPECT_GT(near(meadow.look(camera), far), 10);
+    meadow.follow({.everything = true});
+    const std::vector<Plant> plants = meadow.look(camera);
+    EXPECT_EQ(near(plants, far), 0);
+    EXPECT_GT(near(plants, {far.x - 128, 0}), 10); // where a mask half as wide would have it again
+    EXPECT_FALSE(meadow.scenery().footprints.covers(behind));
+}
+
+TEST(Grass, LeansAwayFromWhatPressesIt)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    Meadow meadow;
+    const std::vector<Plant> free = meadow.look(over(meadow, {0, 0}));
+    meadow.pressers = {{.position = {0, groundAt(meadow, {0, 0}), 0}, .radius = 1}};
+    const std::vector<Plant> pressed = meadow.look(over(meadow, {0, 0}));
+    std::map<std::pair<double, double>, glm::vec2> before;
+    for (const Plant& plant : free)
+        before[{std::round(plant.root.x * 1000), std::round(plant.root.z * 1000)}] = plant.bend;
+    int near = 0, away = 0, changed = 0;
+    for (const Plant& plant : pressed) {
+        const glm::dvec2 at{plant.root.x, plant.root.z};
+        const glm::vec2 turned = plant.bend - before.at({std::round(plant.root.x * 1000), std::round(plant.root.z * 1000)});
+        if (glm::length(at) > 1.2) changed += glm::length(turned) > 0.01f;
+        if (glm::length(at) > 0.6 || glm::length(at) < 0.1) continue;
+        ++near;
+        away += glm::dot(glm::dvec2{turned}, glm::normalize(at)) > 0.5;
+    }
+    EXPECT_GT(near, 20);
+    EXPECT_GT(away, near * 9 / 10);
+    EXPECT_EQ(changed, 0);
+}
+
+// Fewer of them stand for more: what they cover of the ground does not fall with their number.
+TEST(Grass, CoversAsMuchFarAwayAsNear)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    Meadow meadow;
+    meadow.settings.grassDistance = 100;
+    meadow.settings.culling = false;
+    double covered[6] = {}; // m2 a m2, of rings up to where they begin to end
+    for (const Plant& plant : meadow.look({.eye = {0, groundAt(meadow, {0, 0}) + 1.7, 0}}))
+        if (const auto ring = int(glm::length(glm::dvec2{plant.root.x, plant.root.z}) / 12); ring < 6) covered[ring] += double(plant.width) * double(plant.height);
+    for (int ring = 0; ring < 6; ++ring)
+        covered[ring] /= 3.14159265 * 144 * (2 * ring + 1);
+    for (int ring = 1; ring < 6; ++ring) {
+        EXPECT_GT(covered[ring], covered[0] * 0.6) << ring;
+        EXPECT_LT(covered[ring], covered[0] * 1.4) << ring;
+    }
 }
 
 TEST(Grass, ComesBackWhereAThingWas)
@@ -398,6 +466,27 @@ TEST(Grass, MoreThanThereIsRoomForIsLeftOut)
     meadow.settings.mostBlades = 0;
     EXPECT_EQ(meadow.look(over(meadow, {0, 0})).size(), 0u);
     EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
+// More grows around the eye than may be drawn: which plants stay does not ask where it looks.
+TEST(Grass, ThoseThatStayAreTheSameWhereverOneLooks)
+{
+    if (!test::haveContext()) GTEST_SKIP();
+    Meadow meadow;
+    meadow.settings.mostBlades = 6000;
+    const auto cells = [&](float yaw, float fov) {
+        std::set<std::pair<double, double>> all;
+        for (const Plant& plant : meadow.look({.eye = {0, groundAt(meadow, {0, 0}) + 8, 0}, .yaw = yaw, .pitch = -35, .fov = fov}))
+            if (plant.width > 0.001f) all.insert({std::round(plant.root.x * 1000), std::round(plant.root.z * 1000)});
+        return all;
+    };
+    const auto wide = cells(0, 60), narrow = cells(0, 25), turned = cells(12, 25);
+    EXPECT_LT(wide.size(), 6000u);
+    EXPECT_GT(wide.size(), 800u);
+    EXPECT_GT(narrow.size(), 150u);
+    EXPECT_TRUE(std::ranges::includes(wide, narrow));
+    EXPECT_TRUE(std::ranges::includes(wide, turned));
+    EXPECT_NE(turned, narrow);
 }
 
 // Over 10 m no blade comes or goes but as a sliver, and what comes and goes is a small part of what is seen.

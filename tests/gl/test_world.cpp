@@ -93,6 +93,25 @@ TEST(WorldPicture, TheObjectAtThePixelIsTheOneThatStandsThere)
     EXPECT_EQ(test::shared().readIds({-5, -5}, {3, 3}), std::vector<std::uint32_t>(9, 0u)) << "outside is nobody";
 }
 
+TEST(WorldPicture, WhatIsDrawnElsewhereComesBackWithTheNextUpdate)
+{
+    test::TestWorld world;
+    const io::TemplateId box = test::addTemplate(world, "box", test::box({1, 1, 1}, glm::vec4{1}));
+    const io::ObjectId id = test::addObject(world, box, {.position = {-2, 0, 0}});
+    test::load(world);
+    const auto idAt = [&](const glm::dvec3& place) {
+        idsOf(test::frame(kSize, kFront));
+        return test::shared().readIds(glm::ivec2{*renderer::project(kFront, kSize, place + glm::dvec3{0, 0.5, 0.5})}, {1, 1})[0];
+    };
+    const std::vector<io::Moved> moved{{id, {.position = {2, 0, 0}}}, {io::ObjectId{4711}, {}}};
+    test::shared().move(moved);
+    EXPECT_EQ(idAt({2, 0, 0}), io::number(id));
+    EXPECT_EQ(idAt({-2, 0, 0}), 0u);
+    test::shared().update(world.scene, world.assets, {.objects = {id}});
+    EXPECT_EQ(idAt({2, 0, 0}), 0u);
+    EXPECT_EQ(idAt({-2, 0, 0}), io::number(id));
+}
+
 TEST(WorldPicture, IsTheSameWhereIdsAreNotKept)
 {
     test::TestWorld world;

@@ -1,4 +1,5 @@
 // Shaping the ground with the brush, as a person does it in the viewport.
+#include "editor/pointer_way.h"
 #include "tests/ui/support/rig.h"
 
 #include <gtest/gtest.h>
@@ -32,6 +33,43 @@ TEST_F(Sculpting, AStrokeRaisesTheGroundAndIsOneStep)
     EXPECT_EQ(ground(8, -12), 0);
     EXPECT_EQ(rig.position(2).y, 0);
     EXPECT_TRUE(rig.editor->selection().empty()); // nothing was picked meanwhile
+}
+
+TEST_F(Sculpting, TheSameWayLeavesTheSameGroundInFewFramesAndInMany)
+{
+    const ImVec2 middle = rig.onScreen({0, 0, -10}); // fast enough that the pointer never rests: that would count by time
+    const glm::dvec2 a{middle.x - 240, middle.y + 60}, b{middle.x + 240, middle.y + 20}, bow{0, 90};
+    const auto at = [&](double t) { return glm::mix(a, b, t) + bow * (4 * t * (1 - t)); };
+    const auto drawn = [&](int frames) { // along a bow, of which each frame sees 120 / frames points
+        rig.move({float(a.x), float(a.y)});
+        rig.press();
+        for (int i = 1; i <= frames; ++i) {
+            std::vector<glm::dvec2> way;
+            for (int j = (i - 1) * 120 / frames + 1; j <= i * 120 / frames; ++j)
+                way.push_back(at(j / 120.0));
+            const glm::dvec2 end = way.back();
+            editor::setPointerWay(std::move(way));
+            ImGui::GetIO().MousePos = {float(end.x), float(end.y)};
+            rig.frame();
+        }
+        editor::setPointerWay({});
+        rig.release();
+        const io::HeightMap& map = *rig.document().scene().heights();
+        std::vector<float> metres = map.read(map.texels()).metres;
+        rig.key(editor::ctrl(Key::Z));
+        return metres;
+    };
+    for (const char* tool : {"Raise", "Noise"}) {
+        rig.click(tool, "button");
+        const std::vector<float> few = drawn(4), many = drawn(60);
+        double most = 0, differ = 0;
+        for (std::size_t i = 0; i < few.size(); ++i) {
+            most = std::max(most, std::abs(double(few[i])));
+            differ = std::max(differ, std::abs(double(few[i]) - double(many[i])));
+        }
+        EXPECT_GT(most, 0.5) << tool;
+        EXPECT_LT(differ, most * 0.01) << tool;
+    }
 }
 
 TEST_F(Sculpting, CtrlLowersAndEscapeTakesBackWhatIsBeingDrawn)
@@ -142,7 +180,7 @@ TEST_F(Sculpting, PaintGoesIntoAFileOfItsOwn)
 {
     io::Terrain terrain = rig.document().scene().terrain();
     terrain.layers = {{.name = "grass"}, {.name = "rock"}};
-    editor::setTerrain(rig.document(), "Layers", terrain);
+    ASSERT_TRUE(editor::setTerrain(rig.document(), "Layers", terrain));
     rig.frame(2);
     rig.click("Paint", "button");
     rig.click("Layer", "combo");

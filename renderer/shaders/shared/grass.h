@@ -48,7 +48,7 @@ struct GrassFrame {
     vec2 mapSize;    float mapTexel;   float eyeHeight; // texels; m; m
     float full;      float distance;   float water; int pressers; // m: to there all grow; to there some do; of the water's level
     uint most;       uint room;        float density; float shapeAngle; // plants; of a shape; share; radians of height from which 15 vertices show
-    float tintScale; uint foundRoom; uint unused0; uint unused1; // GroundTint::scale(); plants
+    float tintScale; uint foundRoom; float kept; uint unused0; // GroundTint::scale(); plants; Grass::kept()
     Wind wind;
     vec4 presser[GRASS_PRESSERS];      // relative to the eye, m; radius, m
     vec4 pressed[GRASS_PRESSERS / 4];  // strengths

@@ -127,6 +127,39 @@ TEST(Brush, ARampIsEvenFromEndToEnd)
     EXPECT_FALSE(rampOn(*map, {.tool = BrushTool::Ramp}, from, from, 1));
 }
 
+TEST(Brush, ARampMayEndBesideTheMap)
+{
+    const auto map = test::hills(65, 1, 8);
+    const auto patch = patchOf(*map, {.tool = BrushTool::Ramp, .radius = 6}, {0, 0}, {500, 0}, 1);
+    ASSERT_TRUE(patch);
+    EXPECT_FALSE(patchOf(*map, {.tool = BrushTool::Ramp, .radius = 6}, {400, 0}, {500, 0}, 1));
+}
+
+TEST(Brush, OneSmallerThanATexelChangesTheTexel)
+{
+    const io::HeightMap map{io::HeightGrid{.size = {9, 9}, .metres = std::vector<float>(81, 5), .metresPerTexel = 90}};
+    const auto patch = dab(map, {.tool = BrushTool::Raise, .radius = 5, .falloff = 0}, 3, {200, 210});
+    ASSERT_TRUE(patch);
+    const io::HeightMap made = map.with(patch->heights, patch->at);
+    EXPECT_EQ(made.at(2, 2), 8);
+    EXPECT_EQ(made.at(4, 4), 5);
+}
+
+TEST(Brush, AStampKeepsThePicturesSides)
+{
+    const auto map = test::flat(101, 5);
+    Brush brush{.tool = BrushTool::Stamp, .radius = 40, .falloff = 0};
+    brush.stamp = std::make_shared<const io::HeightGrid>(io::HeightGrid{.size = {80, 10}, .metres = std::vector<float>(800, 1)});
+    const auto patch = dab(*map, brush, 20);
+    ASSERT_TRUE(patch);
+    const io::HeightMap made = map->with(patch->heights, patch->at);
+    EXPECT_NEAR(*made.height(35, 0), 25, 1e-4);
+    EXPECT_NEAR(*made.height(0, 35), 5, 1e-4);
+    brush.rotation = 90;
+    const auto turned = dab(*map, brush, 20);
+    EXPECT_NEAR(*map->with(turned->heights, turned->at).height(0, 35), 25, 1e-4);
+}
+
 TEST(Stroke, TheSameWayLeavesTheSameGroundAtAnyFrameRate)
 {
     for (const BrushTool tool : {BrushTool::Raise, BrushTool::Smooth, BrushTool::Noise, BrushTool::Erode, BrushTool::Flatten}) {

@@ -152,13 +152,29 @@ TEST_F(DocumentFiles, TheGroundFollowsItsSettingsThroughUndo)
     EXPECT_NEAR(*m_document->scene().heights()->height(0, 0), 10, 0.01);
     io::Terrain terrain = m_document->scene().terrain();
     terrain.maxHeight = 40;
-    setTerrain(*m_document, "Height", terrain);
+    ASSERT_TRUE(setTerrain(*m_document, "Height", terrain));
     EXPECT_NEAR(*m_document->scene().heights()->height(0, 0), 40, 0.01);
     terrain.heightMap = "";
-    setTerrain(*m_document, "No ground", terrain);
+    ASSERT_TRUE(setTerrain(*m_document, "No ground", terrain));
     EXPECT_EQ(m_document->scene().heights(), nullptr);
     m_document->goTo(0);
     EXPECT_NEAR(*m_document->scene().heights()->height(0, 0), 10, 0.01);
+}
+
+TEST_F(DocumentFiles, AHeightMapThatCannotBeReadLeavesTheGround)
+{
+    const auto before = m_document->scene().heights();
+    ASSERT_TRUE(io::writeFile(m_document->project().folder / "terrain/none.png", "no picture at all"));
+    for (const char* file : {"terrain/none.png", "terrain/missing.png"}) {
+        io::Terrain terrain = m_document->scene().terrain();
+        terrain.heightMap = file;
+        const io::Status set = setTerrain(*m_document, "Other", terrain);
+        ASSERT_FALSE(set);
+        EXPECT_NE(set.error().text().find(file), std::string::npos);
+    }
+    EXPECT_EQ(m_document->scene().heights(), before);
+    EXPECT_NE(m_document->scene().terrain().heightMap, "terrain/missing.png");
+    EXPECT_FALSE(m_document->history().canUndo());
 }
 
 TEST_F(DocumentFiles, ShapedGroundIsSavedWithTheRestAndComesBack)
@@ -202,7 +218,7 @@ TEST_F(DocumentFiles, UndoAcrossASaveThatMovedTheRangeDoesNotMoveTheGround)
                patch->rect());
     io::Terrain terrain = m_document->scene().terrain();
     terrain.layers.push_back({.name = "more"});
-    setTerrain(*m_document, "Layer", terrain); // holds the range from before the save
+    ASSERT_TRUE(setTerrain(*m_document, "Layer", terrain)); // holds the range from before the save
     const double top = *m_document->scene().heights()->height(1, 1);
     ASSERT_TRUE(m_document->save());
     m_document->undo();
@@ -215,7 +231,7 @@ TEST_F(DocumentFiles, PaintThatWasUndoneAndDoneAgainIsWritten)
 {
     io::Terrain terrain = m_document->scene().terrain();
     terrain.layers = {{.name = "one"}, {.name = "two"}};
-    setTerrain(*m_document, "Layers", terrain);
+    ASSERT_TRUE(setTerrain(*m_document, "Layers", terrain));
     const auto fill = [&] { fillCover(*m_document, "Fill", {.tool = BrushTool::Paint, .layer = 1}); };
     fill();
     ASSERT_TRUE(m_document->save());
@@ -249,7 +265,7 @@ TEST_F(DocumentFiles, AnotherHeightMapIsFollowedByMirrorsAndNotWritten)
     };
     io::Terrain terrain = before;
     terrain.heightMap = "terrain/other.png";
-    setTerrain(*m_document, "Other", terrain);
+    ASSERT_TRUE(setTerrain(*m_document, "Other", terrain));
     EXPECT_FALSE(m_document->scene().heights()->sameHeights(io::HeightMap{io::HeightGrid{.size = size, .metres = std::vector<float>(slope.metres.size(), 10)}}));
     EXPECT_TRUE(agrees());
     ASSERT_TRUE(m_document->save());
@@ -268,13 +284,13 @@ TEST_F(DocumentFiles, ShapedGroundIsScaledAndUndone)
     io::Terrain terrain = m_document->scene().terrain();
     const double low = terrain.minHeight, factor = 3;
     terrain.maxHeight = low + (terrain.maxHeight - low) * factor;
-    setTerrain(*m_document, "Height", terrain);
+    ASSERT_TRUE(setTerrain(*m_document, "Height", terrain));
     EXPECT_NEAR(*m_document->scene().heights()->height(1, 1), low + (*shaped->height(1, 1) - low) * factor, 1e-4);
     m_document->undo();
     EXPECT_TRUE(m_document->scene().heights()->sameHeights(*shaped));
     terrain.metresPerTexel = 7;
     terrain.maxHeight = m_document->scene().terrain().maxHeight;
-    setTerrain(*m_document, "Wider", terrain);
+    ASSERT_TRUE(setTerrain(*m_document, "Wider", terrain));
     EXPECT_EQ(m_document->scene().heights()->metresPerTexel, 7);
     m_document->goTo(0);
     EXPECT_NE(m_document->scene().heights()->metresPerTexel, 7);

@@ -49,7 +49,7 @@ struct GroundEdits : ::testing::Test {
         io::Terrain terrain = scene.terrain(); // which lies where its heights do
         terrain.metresPerTexel = scene.heights()->metresPerTexel;
         terrain.origin = scene.heights()->origin;
-        setTerrain(*document, "Place", std::move(terrain));
+        ASSERT_TRUE(setTerrain(*document, "Place", std::move(terrain)));
         const glm::ivec2 size = scene.heights()->size;
         const std::vector<std::uint32_t> paint(20 * 30, io::packed({.base = 1, .over = 1, .painted = 1}));
         changeCover(*document, "Paint", {.at = size / 2, .size = {20, 30}, .texels = paint});
@@ -131,6 +131,40 @@ TEST_F(GroundEdits, CroppingIsExact)
             ASSERT_EQ(now.at(x, z), before->at(x + low.x, z + low.y));
             ASSERT_EQ(scene.cover()->at(x, z), painted.at(x + low.x, z + low.y));
         }
+}
+
+TEST_F(GroundEdits, CroppingWiderGoesOnBeyondTheEdges)
+{
+    const io::HeightGrid old = scene.heights()->read(scene.heights()->texels());
+    for (const GroundEdge edge : {GroundEdge::Extend, GroundEdge::Wrap}) {
+        const NewGround wider = after({.kind = Reshape::Crop, .texels = true, .from = {-10, 5}, .to = glm::dvec2{old.size} + 20.0, .edge = edge});
+        ASSERT_EQ(wider.heights.size, old.size + glm::ivec2(31, 16));
+        EXPECT_EQ(wider.heights.origin, old.origin + glm::dvec2(-10, 5) * old.metresPerTexel);
+        for (int z = 0; z < wider.heights.size.y; ++z)
+            for (int x = 0; x < wider.heights.size.x; ++x) {
+                const int ox = x - 10, oz = z + 5;
+                const float expected = edge == GroundEdge::Extend ? old.clampedAt(ox, oz) : old.at((ox + old.size.x) % old.size.x, oz % old.size.y);
+                ASSERT_EQ(wider.heights.at(x, z), expected);
+            }
+    }
+    EXPECT_FALSE(reshaped(scene, {.kind = Reshape::Crop, .texels = true, .from = {-1e6, 0}, .to = {1e6, 10}}));
+    EXPECT_FALSE(reshaped(scene, {.kind = Reshape::Crop, .texels = true, .from = {-50, -50}, .to = {-10, -10}}));
+}
+
+TEST_F(GroundEdits, GrassGoesAlongWithGroundThatIsMoved)
+{
+    const glm::dvec2 corner = scene.heights()->origin;
+    setGrass(*document, "Grass", io::Grass{.map = {}, .metresPerTexel = 2, .origin = corner, .kinds = {{.name = "meadow"}}});
+    io::TexelTiles<std::uint32_t> field{glm::ivec2{40, 40}};
+    const std::vector<std::uint32_t> one{io::packed(io::GrassCover{{0, 0}, {1, 0}, 1})};
+    setGrassMap(*document, "Grow", std::make_shared<const io::GrassMap>(field.with(one, {1, 1}, {10, 12}), 2, corner), field.rect());
+    ASSERT_EQ(scene.grassMap()->at(corner + glm::dvec2(20, 24)).density[0], 1);
+    apply({.kind = Reshape::Offset, .by = {8, -6}});
+    const glm::dvec2 moved = glm::round(glm::dvec2{8, -6} / scene.heights()->metresPerTexel) * scene.heights()->metresPerTexel;
+    EXPECT_EQ(scene.grassMap()->at(corner + glm::dvec2(20, 24) + moved).density[0], 1);
+    EXPECT_EQ(scene.grassMap()->at(corner + glm::dvec2(20, 24)).density[0], 0);
+    document->undo();
+    EXPECT_EQ(scene.grassMap()->at(corner + glm::dvec2(20, 24)).density[0], 1);
 }
 
 TEST_F(GroundEdits, OffsetWrapsOrExtendsAndRaises)

@@ -17,7 +17,7 @@ std::unique_ptr<Document> meadow()
     auto document = test::forest(0, 4);
     io::Terrain terrain = document->scene().terrain();
     terrain.layers = {{.name = "grass"}, {.name = "rock"}, {.name = "sand"}};
-    setTerrain(*document, "Layers", terrain);
+    EXPECT_TRUE(setTerrain(*document, "Layers", terrain));
     return document;
 }
 

@@ -176,7 +176,7 @@ TEST(Planting, RulesHold)
     setHeights(*field.document, "Hills", test::hills(513, 1, 4), {{0, 0}, {513, 513}});
     io::Terrain terrain = field.scene().terrain();
     terrain.layers = {{.name = "grass"}, {.name = "rock", .slope = {25, 90}, .blend = 0.01f}};
-    setTerrain(*field.document, "Layers", terrain);
+    ASSERT_TRUE(setTerrain(*field.document, "Layers", terrain));
     field.layer.slope = {5, 40};
     field.layer.altitude = {field.scene().heights()->min + 2, field.scene().heights()->max - 2};
     field.layer.ground = "grass";

@@ -85,4 +85,84 @@ TEST_F(ScatterScript, RulesFollowTheGroundInTheStepThatShapedIt)
     EXPECT_EQ(*ok(R"({"do":"plants","layer":"low","everywhere":true})").find("hash")->asString(), before);
 }
 
+TEST_F(ScatterScript, PlantsFollowWhenAllOfTheGroundChanges)
+{
+    ok(R"({"do":"scatter_layer","name":"low","species":["blob"],"density":0.05,"rule":true,"slope":[0,90]})");
+    ok(R"({"do":"scatter_layer","name":"hand","species":["leaf"],"density":0.05,"slope":[0,90]})");
+    ASSERT_GT(number(R"({"do":"evaluate","layer":"low"})", "count"), 100);
+    ASSERT_GT(number(R"({"do":"plant","layer":"hand","at":[0,0],"radius":20})", "count"), 10);
+    const auto height = [&] { // of one planted by hand
+        const io::Scene& scene = document->scene();
+        const auto& [place, tile] = *scene.instances(scene.findScatterLayer("hand")->id).begin();
+        return io::transformOf(place, tile->instances.front()).position.y;
+    };
+    const double before = height();
+    const std::string hash = *ok(R"({"do":"plants","layer":"low","everywhere":true})").find("hash")->asString();
+    ok(R"({"do":"scatter_layer","name":"low","altitude":[-1000,200]})");
+    ok(R"({"do":"offset","raise":500})");
+    EXPECT_NEAR(height(), before + 500, 0.01);
+    EXPECT_EQ(number(R"({"do":"plants","layer":"low","everywhere":true})", "count"), 0);
+    ok(R"({"do":"undo"})");
+    EXPECT_NEAR(height(), before, 1e-9);
+    EXPECT_EQ(*ok(R"({"do":"plants","layer":"low","everywhere":true})").find("hash")->asString(), hash);
+}
+
+TEST_F(ScatterScript, AnotherListOfSpeciesKeepsThoseThatStand)
+{
+    ok(R"({"do":"scatter_layer","name":"wood","species":["blob","leaf"],"density":0.05,"spacing":2,"slope":[0,90]})");
+    ok(R"({"do":"plant","layer":"wood","at":[0,0],"radius":50})");
+    const auto counts = [&] { // by template
+        std::map<std::string, int> all;
+        const io::ScatterLayer& layer = *document->scene().findScatterLayer("wood");
+        for (const auto& [place, tile] : document->scene().instances(layer.id))
+            for (const io::Instance& instance : tile->instances)
+                ++all[layer.species.at(instance.species).templateName];
+        return all;
+    };
+    const auto before = counts();
+    ok(R"({"do":"scatter_layer","name":"wood","species":["leaf","blob"]})");
+    EXPECT_EQ(counts(), before);
+    ok(R"({"do":"scatter_layer","name":"wood","species":["blob"]})");
+    EXPECT_EQ(counts(), (std::map<std::string, int>{{"blob", before.at("blob")}}));
+    ok(R"({"do":"undo"})");
+    EXPECT_EQ(counts(), before);
+    EXPECT_EQ(number(R"({"do":"replace_plants","layer":"wood","everywhere":true,"from":"blob","to":"leaf"})", "changed"), before.at("blob"));
+}
+
+TEST_F(ScatterScript, ErasingByRuleTakesNothingBeyondTheBrushLater)
+{
+    ok(R"({"do":"scatter_layer","name":"low","species":["blob"],"density":1,"spacing":0.3,"rule":true,"slope":[0,90]})");
+    ok(R"({"do":"evaluate","layer":"low"})");
+    ok(R"({"do":"erase_plants","layer":"low","at":[0,0],"radius":20})");
+    const double left = number(R"({"do":"plants","layer":"low","at":[0,0],"radius":22})", "count");
+    ASSERT_GT(left, 50);
+    ok(R"({"do":"evaluate","layer":"low"})");
+    EXPECT_EQ(number(R"({"do":"plants","layer":"low","at":[0,0],"radius":22})", "count"), left);
+}
+
+TEST_F(ScatterScript, ClearanceIsKeptFromPlantsOfOtherLayers)
+{
+    ok(R"({"do":"scatter_layer","name":"stones","species":["blob"],"density":0.01,"spacing":6,"slope":[0,90]})");
+    ok(R"({"do":"plant","layer":"stones","at":[0,0],"radius":60})");
+    ok(R"({"do":"scatter_layer","name":"wood","species":["leaf"],"density":0.3,"spacing":1,"clearance":3,"slope":[0,90]})");
+    ok(R"({"do":"plant","layer":"wood","at":[0,0],"radius":60})");
+    const auto places = [&](const char* name) {
+        std::vector<glm::dvec2> all;
+        for (const auto& [place, tile] : document->scene().instances(document->scene().findScatterLayer(name)->id))
+            for (const io::Instance& instance : tile->instances) {
+                const glm::dvec3 at = io::transformOf(place, instance).position;
+                all.emplace_back(at.x, at.z);
+            }
+        return all;
+    };
+    const auto stones = places("stones"), wood = places("wood");
+    ASSERT_GT(stones.size(), 30u);
+    ASSERT_GT(wood.size(), 300u);
+    double nearest = 1e9;
+    for (const glm::dvec2& a : stones)
+        for (const glm::dvec2& b : wood)
+            nearest = std::min(nearest, glm::distance(a, b));
+    EXPECT_GE(nearest, 3 - 0.01);
+}
+
 } // namespace

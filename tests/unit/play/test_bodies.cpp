@@ -70,6 +70,28 @@ TEST_F(Play, ACrateFallsAndComesToRestOnTheGround)
     }
 }
 
+TEST_F(Play, BetweenStepsItIsBetweenTheTwoPlaces)
+{
+    const io::ObjectId id = stage.place(addCrate(), {0, 3, -5}, {20, 30, 10});
+    begin();
+    run(20);
+    const io::Transform before = at(id);
+    run(1);
+    const io::Transform now = at(id);
+    ASSERT_LT(now.position.y, before.position.y - 0.01);
+    for (const double share : {0.0, 0.25, 1.0}) {
+        const std::vector<io::Moved> between = session->between(share);
+        ASSERT_EQ(between.size(), 1u);
+        EXPECT_EQ(between[0].id, id);
+        EXPECT_NEAR(between[0].transform.position.y, glm::mix(before.position.y, now.position.y, share), 1e-9);
+        EXPECT_EQ(between[0].transform.scale, now.scale);
+    }
+    EXPECT_LT(glm::distance(session->between(0)[0].transform.rotation, before.rotation), 1e-3f);
+    EXPECT_EQ(at(id), now); // the world is as it was stepped
+    run(400);
+    EXPECT_TRUE(session->between(0.5).empty()) << "it has come to rest";
+}
+
 TEST_F(Play, OnASlopeItStaysUnlessThatIsSteep)
 {
     stage.setGround([](double x, double) { return x * (x > 0 ? 0.25 : 1.2); });
