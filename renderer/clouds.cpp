@@ -79,6 +79,8 @@ glsl::Clouds cloudsOf(const io::Environment& environment, const glsl::Light& lig
     clouds.albedo = environment.sky.groundAlbedo;
     clouds.cover = c.coverage * (1 - std::exp(-0.1f * clouds.density * clouds.thickness)); // as the layer hides what is behind it
     clouds.wet = glm::clamp(environment.weather.rain / kWettingRain, 0.0f, 1.0f);
+    constexpr double kNowhere = -1e9;
+    clouds.water = float(environment.water.on ? double(environment.water.level) - eye.position.y : kNowhere);
     clouds.snow = glm::clamp(environment.weather.snow / kCoveringSnow, 0.0f, 1.0f);
     clouds.through = glsl::throughCloud(0.8f * clouds.density * clouds.thickness);
 

@@ -29,7 +29,7 @@ void main()
 #ifndef STUDIO
     if ((materialFlags() & MATERIAL_UNLIT) == 0u) weatherSurface(s.baseColour, s.roughness, s.metallic, s.normal, relative);
 #endif
-    float sun = sunVisibility(relative, s.normal, gl_FragCoord.xy);
+    float sun = sunVisibility(relative, s.normal);
 #ifdef CLOUD_SHADOWS
     sun *= cloudShadow(relative);
 #endif

@@ -40,7 +40,7 @@ void main()
 #endif
     // A flat picture would lie half in the shadow of what it stands for, with a straight edge.
     vec3 outOfOwnShadow = light.towardSun * (impostor ? stored.y * (IMPOSTOR_MOST_REACH * kOwnShadow) : 0.0);
-    float sun = sunVisibility(relative + outOfOwnShadow, s.normal, gl_FragCoord.xy);
+    float sun = sunVisibility(relative + outOfOwnShadow, s.normal);
     sun *= impostor && (s.bits & SURFACE_LEAF) != 0u ? kCrownLit : 1.0;
 #ifdef CLOUD_SHADOWS
     sun *= cloudShadow(relative);

@@ -64,7 +64,7 @@ void main()
     float share = spark ? (radius * radius) / (drawn * drawn) : 1.0;
     look = vec4(thick * ends * near * share, t, max(0.8 * radius, 0.02), spark ? 4.0 : float(s.kind));
 
-    float sun = fire ? 0.0 : sunVisibility(centre, toEye, vec2(0.0));
+    float sun = fire ? 0.0 : sunVisibility(centre, toEye);
 #ifdef CLOUD_SHADOWS
     sun *= cloudShadow(centre);
 #endif

@@ -158,17 +158,27 @@ float sunOverGround(vec3 relative)
     return smoothstep(-soft, soft, relative.y - shadow + soft);
 }
 
+#ifdef NOISE_BLEND
+// Of places in the world, so that it stays where it is when the camera turns.
+float placeNoise(vec3 relative, float away)
+{
+    float side = exp2(floor(log2(max(away, 1.0) * view.pixelAngle)));
+    vec3 place = floor((mod(view.eyeHigh, 64.0) + view.eyeLow + relative) / side);
+    return interleavedNoise(place.xz + 17.0 * place.y);
+}
+#endif
+
 // Share of the sun that reaches a place. Cascades end at a distance from the eye, so that none changes when the camera turns.
-// Where one turns into the next, both are mixed, or with NOISE_BLEND noise picks one for each pixel: software GL runs both
-// sides of a branch, and a loop in its place costs a third more of all shadows.
-float sunVisibility(vec3 relative, vec3 normal, vec2 pixel)
+// Where one turns into the next, both are mixed, or with NOISE_BLEND noise picks one for each place of about a pixel: software GL runs
+// both sides of a branch, and a loop in its place costs a third more of all shadows.
+float sunVisibility(vec3 relative, vec3 normal)
 {
 #ifdef SHADOWS
     float away = length(relative);
     int cascade = cascadeAt(away);
     float next = shareOfNext(away, cascade);
 #ifdef NOISE_BLEND
-    float lit = shadowIn(cascade + (next > interleavedNoise(pixel) ? 1 : 0), relative, normal);
+    float lit = shadowIn(cascade + (next > placeNoise(relative, away) ? 1 : 0), relative, normal);
 #else
     float lit = shadowIn(cascade, relative, normal);
     if (next > 0.0) lit = mix(lit, shadowIn(cascade + 1, relative, normal), next);

@@ -9,9 +9,9 @@ layout(rgba16f, binding = 0) writeonly uniform image3D volume;
 
 const int kLooks = 4; // towards the sun, in each froxel
 
-float shadowAt(vec3 relative, vec2 pixel)
+float shadowAt(vec3 relative)
 {
-    float sun = sunVisibility(relative, light.towardSun, pixel);
+    float sun = sunVisibility(relative, light.towardSun);
 #ifdef CLOUD_SHADOWS
     sun *= cloudShadow(relative);
 #endif
@@ -40,7 +40,7 @@ void main()
         float through = fogTransmittance(ray * to);
         float dark = 0.0;
         for (int look = 0; look < kLooks; ++look)
-            dark += shadowAt(ray * mix(from, to, (float(look) + noise) / float(kLooks)), vec2(column));
+            dark += shadowAt(ray * mix(from, to, (float(look) + noise) / float(kLooks)));
         float middle = 0.5 * (from + to) * length(ray);
         missing += fogColour(direction, middle) * share * (dark / float(kLooks) * (before - through));
         imageStore(volume, ivec3(column, slice), vec4(missing, through));

@@ -12,7 +12,7 @@ layout(location = 0) in vec2 uv;
 layout(location = 1) in vec3 ray;
 layout(location = 0) out vec4 missing; // light; and m along the view, up to which
 
-const int kTaps = 32, kCloudTaps = 4;
+const int kTaps = 32, kCloudTaps = 12;
 const float kCloudsEnd = 12000.0; // m, of fog that is looked at for them
 const float kFarthest = 6e4;      // m, that a half float holds
 const float kSky = 1e5;            // m

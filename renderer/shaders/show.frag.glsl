@@ -116,7 +116,7 @@ void main()
 #endif
     shown = sky ? vec3(1.0) : vec3(base.a);
 #elif MODE == 8 // shadow
-    shown = sky ? vec3(1.0) : vec3(sunVisibility(relative, normal, gl_FragCoord.xy));
+    shown = sky ? vec3(1.0) : vec3(sunVisibility(relative, normal));
 #elif MODE == 9 || MODE == 16 // cascade; backdrop of their boxes
     vec3 grey = vec3(luminance(encodeSrgb(toneMap(TONE_AGX, lit.rgb * view.exposure))));
     shown = sky ? grey : grey * tintAt(length(relative));

@@ -126,7 +126,7 @@ void main()
     normal = facing < 0.02 ? normalize(normal + toEye * (0.02 - facing)) : normal;
     float cosine = max(dot(normal, toEye), 0.02);
 
-    vec3 sun = sunAt(relative) * sunVisibility(relative, vec3(0.0, 1.0, 0.0), gl_FragCoord.xy);
+    vec3 sun = sunAt(relative) * sunVisibility(relative, vec3(0.0, 1.0, 0.0));
 #ifdef CLOUD_SHADOWS
     sun *= cloudShadow(relative);
 #endif

@@ -23,7 +23,7 @@ vec2 weatherPlace(vec3 relative)
 // and rough. Both come in patches until there is enough of them.
 void weatherSurface(inout vec3 baseColour, inout float roughness, inout float metallic, vec3 normal, vec3 relative)
 {
-    if (clouds.wet + clouds.snow <= 0.0) return;
+    if (clouds.wet + clouds.snow <= 0.0 || relative.y < clouds.water) return;
     float up = catches(normal);
     if (up <= 0.0) return;
     vec2 place = weatherPlace(relative) * kPatches;

@@ -388,6 +388,12 @@ TEST(WeatherSurface, OnlyWhatFacesUpGetsWetOrWhite)
         EXPECT_EQ(value.x, 0.2f);
         EXPECT_EQ(value.y, 0.9f);
     }
+    environment.water = {.on = true, .level = 1e4}; // on the bed of a lake nothing falls
+    for (const glm::vec4& value : probe(50, 50)) {
+        EXPECT_EQ(value.x, 0.2f);
+        EXPECT_EQ(value.y, 0.9f);
+    }
+    environment.water.on = false;
     for (const float amount : {0.5f, 2.0f, 5.0f, 50.0f}) {
         const auto wet = probe(amount, 0), white = probe(0, amount);
         double wetMean = 0, whiteMean = 0, rough = 0;

@@ -239,6 +239,7 @@ TEST(ShadowQuality, CascadesTurnIntoOneAnotherWithoutAStep)
             const io::Environment environment = light(shadows, 180, 50);
             setLight(world, environment);
             test::ShadowProbe probe;
+            probe.mixes = true;
             const double edge = -2 - 5 / std::tan(glm::radians(50.0)); // about, where the shadow ends
             const io::Camera camera{.eye = {0, 2, edge}, .yaw = -90};
             std::vector<GroundPoint> open, along;

@@ -31,7 +31,7 @@ struct Clouds {
     float through;    float albedo;    // the planet's centre to the eye; share of light through a closed cover; of the ground
     float on;         float mapLod;    // 0..1, grown in from none; of the field in a texel of the map
     float wet;        float snow;      // 0..1, how much of the ground rain wets and snow covers
-    float unused1;    float unused2;   float unused3;
+    float water;      float unused1;   float unused2; // m above the eye of the water that weather does not reach; far below: none
 };
 SHARED_STRUCT_END(Clouds, 128)
 

@@ -9,5 +9,5 @@ layout(std430, binding = 2) buffer Answers { float lit[]; };
 void main()
 {
     uint i = gl_GlobalInvocationID.x;
-    if (i < uint(lit.length())) lit[i] = sunVisibility(place[i].xyz, normal[i].xyz, vec2(0.0));
+    if (i < uint(lit.length())) lit[i] = sunVisibility(place[i].xyz, normal[i].xyz);
 }

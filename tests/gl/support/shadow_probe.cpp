@@ -49,7 +49,7 @@ std::vector<float> ShadowProbe::ask(const io::Environment& environment, const io
     const std::array<GLuint, 3> buffers{bufferOf(0, bytes, places.data()), bufferOf(1, bytes, normals.data()),
                                         bufferOf(2, GLsizeiptr(lit.size() * sizeof(float)), nullptr)};
     std::vector<std::string> defines = renderer::shadowDefines(m_constants);
-    std::erase(defines, "NOISE_BLEND"); // places have no pixel
+    if (mixes) std::erase(defines, "NOISE_BLEND");
     glUseProgram(m_shaders.program({.label = "shadow probe", .stages = {"../../tests/gl/support/shadow_probe.comp.glsl"},
                                     .defines = std::move(defines)}).id());
     glDispatchCompute((GLuint(points.size()) + kGroup - 1) / kGroup, 1, 1);

@@ -27,6 +27,7 @@ public:
     bool seen(const glm::dvec3& place) const;
 
     renderer::Settings settings; // of frames
+    bool mixes = false; // cascades where they turn into one another, also where noise picks one of them
 
 private:
     renderer::ShaderLibrary m_shaders;
