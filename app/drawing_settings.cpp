@@ -78,6 +78,7 @@ Quality applyQuality(Quality quality, std::string_view device, renderer::Setting
         settings.wind = tier.wind;
         settings.skyPixels = tier.skyPixels;
         settings.halfOcclusion = tier.halfOcclusion;
+        settings.groundDetail = quality >= Quality::High;
         settings.mostBlades = tier.mostBlades;
         settings.grassDistance = tier.grassDistance;
         settings.grassDensity = tier.grassDensity;

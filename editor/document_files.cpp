@@ -36,7 +36,7 @@ std::shared_ptr<const io::HeightMap> scaled(const io::HeightMap& heights, const 
 bool sameImages(const io::Terrain& a, const io::Terrain& b)
 {
     return std::ranges::equal(a.layers, b.layers, [](const io::TerrainLayer& x, const io::TerrainLayer& y) {
-        return x.texture == y.texture && x.normalTexture == y.normalTexture;
+        return x.texture == y.texture && x.normalTexture == y.normalTexture && x.roughnessTexture == y.roughnessTexture && x.heightTexture == y.heightTexture;
     });
 }
 

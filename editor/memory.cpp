@@ -45,8 +45,8 @@ WorldMemory memoryOf(const Document& document)
     for (const auto& model : document.assets().models)
         counted.add(model);
     for (const io::LayerImages& layer : document.assets().layers) {
-        counted.add(layer.colour);
-        counted.add(layer.normal);
+        for (const auto& image : {layer.colour, layer.normal, layer.roughness, layer.height})
+            counted.add(image);
     }
     const auto objects = document.scene().objects();
     counted.memory.objects = bytesOf(objects) + objects.size() * kIndexed;

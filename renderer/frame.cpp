@@ -226,7 +226,7 @@ GeometryPass::Drawn Renderer::State::drawSurfaces(GpuFrame& gpu, const FrameInpu
         geometry.begin(viewpoint, in.ids || in.show == Show::Id);
         for (const DrawList& list : drawn.objects)
             geometry.drawObjects(gpu, list);
-        geometry.drawGround(gpu, scenery, drawn.ground);
+        geometry.drawGround(gpu, scenery, drawn.ground, in.settings);
     }
     if (occlusion == Occlusion::SeenBefore) {
         const auto scope = gpu.scope("what came into sight");

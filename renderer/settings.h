@@ -50,6 +50,7 @@ struct Settings {
     float meshLeeway = 1; // so many times as far may meshes in the picture, but not impostors, flat as they are; set by --quality
     int skyPixels = 1;   // pixels along a side of one of the sky's, but for sun and stars; set by --quality
 
+    bool groundDetail = false; // a finer copy of its layers' textures near the eye; set by --quality
     bool halfOcclusion = false; // occlusion at half the resolution; set by --quality
     bool grass = true;
     GrassFrom grassMethod = GrassFrom::Blades;
@@ -90,6 +91,7 @@ void fields(auto& v, io::Of<Settings> auto& s)
     v("lamps", s.lamps, io::Hint{});
     v("particles", s.particles, io::Hint{});
     v("ao", s.ao, io::Hint{});
+    v("ground_detail", s.groundDetail, io::Hint{});
     v("half_ao", s.halfOcclusion, io::Hint{});
     v("grass", s.grass, io::Hint{});
     v("grass_method", s.grassMethod, io::Hint{});

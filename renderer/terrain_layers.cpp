@@ -11,11 +11,10 @@ namespace {
 constexpr int kLargestLayer = 1024; // texels
 static_assert(TERRAIN_LAYERS == io::kMostLayers);
 
-// Brightness stands for the height of a cover's texels: stones over the earth between them.
-void heightIntoAlpha(Pixels& pixels)
+// Brightness stands for the height of a cover's texels where nothing else does: stones over the earth between them.
+std::uint8_t brightness(const glm::u8vec4& p)
 {
-    for (glm::u8vec4& p : pixels)
-        p.w = std::uint8_t((p.x * 54 + p.y * 183 + p.z * 19) >> 8);
+    return std::uint8_t((p.x * 54 + p.y * 183 + p.z * 19) >> 8);
 }
 
 using Images = std::vector<std::shared_ptr<const io::Image>>;
@@ -28,9 +27,16 @@ int sideFor(const Images& images)
     return side;
 }
 
-gl::Texture layerArray(std::string_view label, const Images& images, ColourSpace space)
+// With a channel of its own from other images, or where a layer has none, from its own texel.
+struct Channel {
+    const Images* images;
+    glm::length_t at; // of the texel
+    std::uint8_t (*otherwise)(const glm::u8vec4&);
+};
+
+gl::Texture layerArray(std::string_view label, const Images& images, ColourSpace space, const Channel& channel)
 {
-    const int side = sideFor(images);
+    const int side = std::max(sideFor(images), sideFor(*channel.images));
     gl::Texture array{{.label = label,
                        .size = glm::ivec2{side},
                        .layers = std::max(int(images.size()), 1),
@@ -38,17 +44,26 @@ gl::Texture layerArray(std::string_view label, const Images& images, ColourSpace
                        .wrap = GL_REPEAT,
                        .anisotropic = true,
                        .lodBias = -0.6f}}; // the ground mostly runs away from the eye
-    std::vector<MipRequest> requests;
-    std::vector<int> layers; // of the requests
+    static const io::Image flat{.size = {1, 1}, .channels = 4, .bytes = std::vector<std::byte>{std::byte{128}, std::byte{128}, std::byte{255}, std::byte{255}}};
+    std::vector<MipRequest> requests, extras;
+    std::vector<std::size_t> layers, extraLayers; // of the requests
     for (std::size_t layer = 0; layer < images.size(); ++layer) {
-        if (!images[layer]) continue;
-        requests.push_back({images[layer].get(), side, space});
-        layers.push_back(int(layer));
+        const io::Image *own = images[layer].get(), *extra = (*channel.images)[layer].get();
+        if (!own && !extra) continue;
+        requests.push_back({own ? own : &flat, side, space});
+        layers.push_back(layer);
+        if (!extra) continue;
+        extras.push_back({extra, side, ColourSpace::Linear});
+        extraLayers.push_back(layer);
     }
+    std::vector<std::vector<Pixels>> given(images.size());
+    mipChains(extras, [&](std::size_t number, std::vector<Pixels>& mips) { given[extraLayers[number]] = std::move(mips); });
     mipChains(requests, [&](std::size_t number, std::vector<Pixels>& mips) {
+        const std::vector<Pixels>& extra = given[layers[number]];
         for (std::size_t mip = 0; mip < mips.size(); ++mip) {
-            if (space == ColourSpace::Srgb) heightIntoAlpha(mips[mip]);
-            array.upload(mips[mip].data(), GL_RGBA, GL_UNSIGNED_BYTE, int(mip), layers[number]);
+            for (std::size_t i = 0; i < mips[mip].size(); ++i)
+                mips[mip][i][channel.at] = extra.empty() ? channel.otherwise(mips[mip][i]) : extra[mip][i].x;
+            array.upload(mips[mip].data(), GL_RGBA, GL_UNSIGNED_BYTE, int(mip), int(layers[number]));
         }
     });
     return array;
@@ -85,24 +100,27 @@ glsl::TerrainLayer layerBlock(const io::TerrainLayer& layer, bool colour, bool n
 void TerrainLayers::update(const io::Terrain& terrain, const io::Assets& assets, glsl::Terrain& block)
 {
     const std::size_t count = std::min<std::size_t>(terrain.layers.size(), TERRAIN_LAYERS);
-    Images colours(count), normals(count);
+    Images colours(count), normals(count), roughness(count), heights(count);
     for (std::size_t i = 0; i < count && i < assets.layers.size(); ++i) {
         colours[i] = assets.layers[i].colour;
         normals[i] = assets.layers[i].normal;
+        roughness[i] = assets.layers[i].roughness;
+        if (colours[i]) heights[i] = assets.layers[i].height; // a plain colour has no texels to stand out
     }
     block.layers = int(count);
     m_asksForFlow = std::ranges::any_of(terrain.layers, [](const io::TerrainLayer& layer) { return layer.flow != glm::vec2{0, 1}; });
     for (std::size_t i = 0; i < count; ++i)
-        block.layer[i] = layerBlock(terrain.layers[i], colours[i] != nullptr, normals[i] != nullptr, int(i));
+        block.layer[i] = layerBlock(terrain.layers[i], colours[i] != nullptr, normals[i] || roughness[i], int(i));
     if (count == 0) { // bare earth
         block.layers = 1;
         block.layer[0] = layerBlock({.colour = {0.16f, 0.17f, 0.11f}}, false, false, 0);
     }
     Images images = colours;
-    images.insert(images.end(), normals.begin(), normals.end());
+    for (const Images* more : {&normals, &roughness, &heights})
+        images.insert(images.end(), more->begin(), more->end());
     if (images == m_images && m_colours) return; // a rule or a colour changed, no picture
-    m_colours = layerArray("ground colours", colours, ColourSpace::Srgb);
-    m_normals = layerArray("ground bumps", normals, ColourSpace::Linear);
+    m_colours = layerArray("ground colours", colours, ColourSpace::Srgb, {&heights, 3, brightness});
+    m_normals = layerArray("ground bumps", normals, ColourSpace::Linear, {&roughness, 2, [](const glm::u8vec4&) { return std::uint8_t{255}; }});
     m_images = std::move(images);
 }
 

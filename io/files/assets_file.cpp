@@ -129,6 +129,8 @@ void addImageJobs(const World& world, Assets& assets, std::vector<Job>& jobs)
     for (std::size_t i = 0; i < layers.size(); ++i) {
         if (!layers[i].texture.empty()) usersOf[layers[i].texture].push_back(&assets.layers[i].colour);
         if (!layers[i].normalTexture.empty()) usersOf[layers[i].normalTexture].push_back(&assets.layers[i].normal);
+        if (!layers[i].roughnessTexture.empty()) usersOf[layers[i].roughnessTexture].push_back(&assets.layers[i].roughness);
+        if (!layers[i].heightTexture.empty()) usersOf[layers[i].heightTexture].push_back(&assets.layers[i].height);
     }
     for (const auto& [file, users] : usersOf) {
         jobs.push_back({file, [&world, where, file, users](Complaints& complaints, const Progress&) {

@@ -12,6 +12,7 @@ namespace io {
 struct LayerImages {
     std::shared_ptr<const Image> colour; // null: the layer's colour alone
     std::shared_ptr<const Image> normal; // null: flat
+    std::shared_ptr<const Image> roughness, height; // of which the first channel counts; null: as TerrainLayer says
 };
 
 struct Assets {

@@ -213,6 +213,8 @@ void fields(auto& v, Of<TerrainLayer> auto& l)
     v("name", l.name, Hint{});
     v("texture", l.texture, Hint{.style = Style::Path});
     v("normal_texture", l.normalTexture, Hint{.style = Style::Path});
+    v("roughness_texture", l.roughnessTexture, Hint{.style = Style::Path, .optional = true});
+    v("height_texture", l.heightTexture, Hint{.style = Style::Path, .optional = true});
     v("colour", l.colour, Hint{.min = 0, .max = 4, .style = Style::Colour});
     v("roughness", l.roughness, Hint{.min = 0, .max = 1});
     v("metres", l.metres, Hint{.min = 0.05, .max = 10000, .unit = "m"});

@@ -15,6 +15,8 @@ struct TerrainLayer {
     std::string name;
     std::string texture;           // base colour, sRGB; empty: `colour` alone
     std::string normalTexture;     // tangent space, +Y up; may be empty
+    std::string roughnessTexture;  // grey, linear, times `roughness`; may be empty
+    std::string heightTexture;     // grey, linear: what stands out shows first where layers meet; empty: the texture's brightness
     glm::vec3 colour{1};           // linear factor
     float roughness = 0.95f;
     float metres = 4;              // one repeat of the texture, m

@@ -60,10 +60,12 @@ void GeometryPass::drawObjects(GpuFrame& gpu, const DrawList& objects)
     });
 }
 
-void GeometryPass::drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draws& ground)
+void GeometryPass::drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draws& ground, const Settings& settings)
 {
+    std::vector<std::string> defines = scenery.terrain.coverDefines();
+    if (settings.groundDetail) defines.emplace_back("DETAIL");
     for (const Terrain::Draw& part : ground) {
-        if (!gpu.use(m_shaders.program(scenery.terrain.program("ground", part.stages, "terrain.frag.glsl", scenery.terrain.coverDefines())))) continue;
+        if (!gpu.use(m_shaders.program(scenery.terrain.program("ground", part.stages, "terrain.frag.glsl", defines)))) continue;
         framebuffer().bind();
         gl::apply({.depthTest = GL_GREATER, .depthWrite = true, .cull = GL_BACK});
         scenery.terrain.bind(gpu);

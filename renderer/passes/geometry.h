@@ -26,7 +26,7 @@ public:
     };
     void begin(const Viewpoint& viewpoint, bool ids); // empty targets; without `ids` those stay empty
     void drawObjects(GpuFrame& gpu, const DrawList& objects);
-    void drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draws& ground);
+    void drawGround(GpuFrame& gpu, Scenery& scenery, const Terrain::Draws& ground, const Settings& settings);
     const GBuffer& finish();                // what later passes may read
     const GBuffer& targets() const { return m_targets; }
     bool keepsIds() const { return m_ids; }

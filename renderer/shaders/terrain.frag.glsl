@@ -24,7 +24,7 @@ struct Cover {
 
 // `plane`: metres along the texture; `axisU`, `axisV`: where they point in the world. All of a quad of pixels ask
 // for the same layer and plane, so that mips can come from their differences.
-Cover cover(int index, vec2 plane, vec3 axisU, vec3 axisV, float tiling, const bool foremost)
+Cover cover(int index, vec2 plane, vec3 axisU, vec3 axisV, float tiling, float detail, const bool foremost)
 {
     TerrainLayer layer = terrain.layer[index];
     vec2 uv = plane * layer.repeats;
@@ -33,14 +33,23 @@ Cover cover(int index, vec2 plane, vec3 axisU, vec3 axisV, float tiling, const b
     vec4 fine = texture(layerColours, vec3(uv, max(layer.colourLayer, 0.0)));
     vec4 both = fine;
     if (foremost) both = mix(fine, texture(layerColours, vec3(turn * uv, max(layer.colourLayer, 0.0))), tiling);
-    vec2 bend = texture(layerNormals, vec3(uv, max(layer.normalLayer, 0.0))).xy * 2.0 - 1.0;
-    bend = layer.normalLayer < 0.0 ? vec2(0.0) : bend;
+    vec3 bumps = texture(layerNormals, vec3(uv, max(layer.normalLayer, 0.0))).xyz;
+    bumps = layer.normalLayer < 0.0 ? vec3(0.5, 0.5, 1.0) : bumps;
+    vec2 bend = bumps.xy * 2.0 - 1.0;
+#ifdef DETAIL
+    // Nearer than texels are a smaller copy goes on: its heights shade, and bend.
+    if (foremost && detail > 0.0) {
+        const mat2 smaller = mat2(0.7648, -0.6442, 0.6442, 0.7648) * 6.31;
+        both.rgb *= 1.0 + (texture(layerColours, vec3(smaller * uv, max(layer.colourLayer, 0.0))).a - 0.45) * detail * 0.55;
+        if (layer.normalLayer >= 0.0) bend += (texture(layerNormals, vec3(smaller * uv, layer.normalLayer)).xy * 2.0 - 1.0) * detail * 0.6;
+    }
+#endif
     both = layer.colourLayer < 0.0 ? vec4(1.0, 1.0, 1.0, 0.5) : both;
     Cover c;
     c.colour = both.rgb * both.rgb * layer.colour; // stored as square roots
     c.height = both.a;
     c.bend = axisU * bend.x - axisV * bend.y; // +Y of a normal map is up, and v runs down
-    c.roughness = layer.roughness;
+    c.roughness = layer.roughness * bumps.z;
     return c;
 }
 
@@ -77,8 +86,9 @@ void main()
 
     float away = log2(length(dFdx(metres)) + length(dFdy(metres))); // of metres a pixel
     float tiling = clamp(0.22 + (far.a - 0.5) * 0.6 + clamp(away * 0.12 + 0.5, 0.0, 0.45), 0.0, 0.8);
-    Cover a = cover(choice.first, plane, axisU, axisV, tiling, true);
-    Cover b = cover(choice.second, plane, axisU, axisV, tiling, false);
+    float detail = clamp(-6.0 - away, 0.0, 1.0); // from 1.5 cm a pixel on
+    Cover a = cover(choice.first, plane, axisU, axisV, tiling, detail, true);
+    Cover b = cover(choice.second, plane, axisU, axisV, tiling, detail, false);
 
     // The higher texel wins inside the transition.
     float share = choice.secondShare / max(choice.firstShare + choice.secondShare, 1e-4);

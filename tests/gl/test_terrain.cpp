@@ -133,6 +133,48 @@ TEST(Terrain, WhatWasPaintedIsShownAndFollowsInPart)
     EXPECT_EQ(test::shared().glErrors(), 0u);
 }
 
+// Halves of an image, left and right.
+std::shared_ptr<const io::Image> halves(std::uint8_t left, std::uint8_t right)
+{
+    io::Image image{.size = {64, 64}, .channels = 1};
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            image.bytes.push_back(std::byte{x < 32 ? left : right});
+    return std::make_shared<const io::Image>(std::move(image));
+}
+
+TEST(Terrain, LayersMayHaveMapsOfTheirRoughnessAndHeight)
+{
+    const auto map = test::heightMap({65, 65}, 1, [](double, double) { return 0.0; });
+    test::TestWorld world;
+    world.scene.exchange(io::Terrain{.heightMap = "terrain/map.png",
+                                     .origin = map->origin,
+                                     .layers = {{.name = "green", .texture = "a", .roughnessTexture = "r", .heightTexture = "h", .colour = {0, 0.5f, 0}, .roughness = 0.8f, .metres = 64},
+                                                {.name = "red", .texture = "a", .colour = {0.5f, 0, 0}, .metres = 64}}});
+    world.scene.exchange(map);
+    world.scene.exchange(std::make_shared<const io::CoverMap>(io::CoverMap{map->size}.with(std::vector<std::uint32_t>(65 * 65, io::packed(io::Cover{0, 1, 0.5f, 1})), {65, 65}, {0, 0})));
+    const auto grey = halves(128, 128);
+    const auto shownOf = [&](renderer::Show show, io::LayerImages first) {
+        world.assets.layers = {std::move(first), {.colour = grey}};
+        world.scene.exchange(std::make_shared<const io::CoverMap>(*world.scene.cover())); // another world to look at
+        test::load(world);
+        renderer::FrameInput in = test::frame(kSize, {.eye = {0, 30, 0}, .pitch = -90});
+        in.show = show;
+        in.settings.groundDetail = true; // its program is built, too
+        test::shared().render(in);
+        const io::Image image = test::shared().readPicture();
+        const auto at = [&](int x) { return glm::vec3{glm::u8vec3{image.row<glm::u8vec4>(kSize.y / 2)[x]}}; };
+        return std::pair{at(kSize.x / 2 - 40), at(kSize.x / 2 + 40)};
+    };
+    const auto plain = shownOf(renderer::Show::Albedo, {.colour = grey});
+    EXPECT_LT(glm::distance(plain.first, plain.second), 12); // large patches alone
+    const auto high = shownOf(renderer::Show::Albedo, {.colour = grey, .height = halves(20, 235)});
+    EXPECT_GT(std::abs((high.first.g - high.first.r) - (high.second.g - high.second.r)), 30); // the higher of the two shows
+    const auto rough = shownOf(renderer::Show::Roughness, {.colour = grey, .roughness = halves(60, 255), .height = halves(255, 255)});
+    EXPECT_GT(rough.second.r, rough.first.r + 60);
+    EXPECT_EQ(test::shared().glErrors(), 0u);
+}
+
 // A valley that falls along z: a layer that asks for much water lies in its bed, and follows when the bed is moved.
 TEST(Terrain, LayersMayAskWhereWaterGathers)
 {
