@@ -81,7 +81,8 @@ int play(const Options& options)
     if (!camera) return fault(camera.error());
 
     const Clock::time_point start = Clock::now();
-    play::Session session{document.scene(), document.assets(), *camera};
+    const bool fromMarker = !options.view && options.camera.empty(); // as in the window
+    play::Session session{document.scene(), document.assets(), *camera, fromMarker};
     const double entering = msSince(start);
     play::Controls controls{document.project().controls};
     Hands hands{*std::move(steps)};

@@ -167,12 +167,16 @@ void Session::moveBodies()
     }
 }
 
+io::TemplateId Session::standsOn() const
+{
+    if (const io::Object* on = m_scene.find(m_walker.ground())) return on->templateId;
+    const auto planted = m_scene.findInstance(m_walker.ground());
+    return planted ? m_scene.templateOf(*planted) : io::TemplateId::None;
+}
+
 void Session::stepSounds(double walked)
 {
-    const io::Object* on = m_scene.find(m_walker.ground());
-    const auto planted = m_scene.findInstance(m_walker.ground());
-    const io::TemplateId what = on ? on->templateId : planted ? m_scene.templateOf(*planted) : io::TemplateId::None;
-    const io::Feet feet{.at = m_walker.feet(), .walked = walked, .speed = float(glm::length(m_walker.velocity())), .on = what};
+    const io::Feet feet{.at = m_walker.feet(), .walked = walked, .speed = float(glm::length(m_walker.velocity())), .on = standsOn()};
     if (const std::string file = m_feet.walk(m_scene, feet); !file.empty()) m_events.push_back({Event::Kind::Step, file, 0, feet.at});
 }
 
@@ -221,23 +225,27 @@ void Session::act(const io::TriggerAction& action, const glm::dvec3& at)
     }
 }
 
-// An object by its name, or all that a group of that name holds.
+// An object by its name, or all that a group of that name holds, and the groups in it.
 void Session::show(const std::string& name, bool shown)
 {
     if (name.empty()) return;
+    const auto meant = [&](const io::Object& object) {
+        constexpr int kDeepest = 64;
+        const io::Object* one = &object;
+        for (int depth = 0; one && depth < kDeepest; ++depth, one = m_scene.find(one->parent))
+            if (one->name == name) return true;
+        return false;
+    };
     if (shown) {
         for (const io::Object& object : std::exchange(m_hidden, {})) {
-            const io::Object* group = m_scene.find(object.parent);
-            if (object.name == name || (group && group->name == name)) change(object.id, object), m_bodies.follow(object.id);
+            if (meant(object)) change(object.id, object), m_bodies.follow(object.id);
             else m_hidden.push_back(object);
         }
         return;
     }
     std::vector<io::Object> gone;
-    for (const io::Object& object : m_scene.objects()) {
-        const io::Object* group = m_scene.find(object.parent);
-        if (object.templateId != io::TemplateId::None && (object.name == name || (group && group->name == name))) gone.push_back(object);
-    }
+    for (const io::Object& object : m_scene.objects())
+        if (object.templateId != io::TemplateId::None && meant(object)) gone.push_back(object);
     for (const io::Object& object : gone) {
         m_hidden.push_back(object);
         change(object.id, std::nullopt);

@@ -33,6 +33,7 @@ public:
 
     const io::Scene& scene() const { return m_scene; }
     const Walker& walker() const { return m_walker; }
+    io::TemplateId standsOn() const; // the thing's, planted or not; None: the ground's, or nothing
     Surroundings& surroundings() { return m_surroundings; }
     Bodies& bodies() { return m_bodies; }
     const Bodies& bodies() const { return m_bodies; }

@@ -114,8 +114,15 @@ double Walker::depth(Surroundings& surroundings) const
     return deepest;
 }
 
+glm::dvec3 Walker::lifted(const glm::dvec3& at, const io::Scene& scene) const
+{
+    const double feet = at.y - (centre().y - m_feet.y);
+    const auto ground = io::groundHeight(scene, at.x, at.z);
+    return ground && feet < *ground + kGap ? at + glm::dvec3{0, *ground + kGap - feet, 0} : at;
+}
+
 // The nearest place, further and further out and up, where the body fits.
-void Walker::findRoom()
+void Walker::findRoom(const io::Scene& scene)
 {
     const glm::dvec3 start = centre();
     for (double reach = 0.25; reach < 24; reach *= 1.5)
@@ -123,8 +130,9 @@ void Walker::findRoom()
             for (int turn = 0; turn < 8; ++turn) {
                 const double angle = turn * 45 * kRadians;
                 const glm::dvec3 way = up == 2 ? glm::dvec3{0, 1, 0} : glm::normalize(glm::dvec3{std::cos(angle), up, std::sin(angle)});
-                if (!room(start + way * reach)) continue;
-                m_feet += way * reach;
+                const glm::dvec3 place = lifted(start + way * reach, scene);
+                if (!room(place)) continue;
+                m_feet += place - start;
                 return;
             }
 }
@@ -140,11 +148,11 @@ void Walker::put(const glm::dvec3& feet, double yaw, double pitch, Surroundings&
     if (const auto ground = io::groundHeight(surroundings.scene(), m_feet.x, m_feet.z); ground && m_feet.y < *ground + kGap) m_feet.y = *ground + kGap;
     gather(surroundings, glm::dvec3{1});
     const glm::dvec3 out = pushedOut(centre());
-    if (room(out)) {
+    if (room(out) && lifted(out, surroundings.scene()) == out) {
         m_feet += out - centre();
     } else {
-        gather(surroundings, glm::dvec3{25});
-        findRoom();
+        gather(surroundings, glm::dvec3{50});
+        findRoom(surroundings.scene());
     }
     gather(surroundings, glm::dvec3{1});
     land(0.1);

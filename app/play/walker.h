@@ -67,7 +67,8 @@ private:
     std::optional<glm::dvec3> floorOf(const Hit& hit, double feet) const; // its normal where one can stand on it, from there
     glm::dvec3 pushedOut(glm::dvec3 at) const;
     bool room(const glm::dvec3& at) const;
-    void findRoom();
+    void findRoom(const io::Scene& scene);
+    glm::dvec3 lifted(const glm::dvec3& centre, const io::Scene& scene) const; // onto the ground, where it is below
     void look(const Wish& wish);
     void crouch(const Wish& wish, Surroundings& surroundings);
     void fly(const Wish& wish);

@@ -33,6 +33,7 @@ void PlayView::begin(const PlayBegin& begin)
     m_begin = begin;
     m_wantsBack = false;
     m_time = m_rest = m_seconds = 0;
+    m_turned = {0, 0};
     m_now.reset();
     m_coming.reset();
     m_trod.clear();
@@ -106,9 +107,8 @@ void PlayView::hear(double seconds)
                      .seconds = seconds,
                      .now = m_now ? &*m_now : nullptr});
     m_heard = {};
-    const io::Object* on = m_session->scene().find(walker.ground());
     const double walked = walker.grounded() ? glm::length(walker.feet() - m_before) : 0;
-    m_sound->walk(m_session->scene(), {.at = walker.feet(), .walked = walked, .speed = float(glm::length(walker.velocity())), .on = on ? on->templateId : io::TemplateId::None});
+    m_sound->walk(m_session->scene(), {.at = walker.feet(), .walked = walked, .speed = float(glm::length(walker.velocity())), .on = m_session->standsOn()});
     m_before = walker.feet();
     for (const io::Complaint& notice : m_sound->takeNotices())
         io::log::warning("{}: {}", notice.where, notice.what);
@@ -144,11 +144,10 @@ void PlayView::runImGui()
     }
     const ImGuiIO& io = ImGui::GetIO();
     const play::Held now = held();
-    glm::dvec2 turned = glm::dvec2{-double(io.MouseDelta.x), -double(io.MouseDelta.y)} * play::kTurnOfPixel;
+    m_turned += glm::dvec2{-double(io.MouseDelta.x), -double(io.MouseDelta.y)} * play::kTurnOfPixel;
     m_rest = std::min(m_rest + m_seconds, kMostBehind);
     for (; m_rest >= play::kStep; m_rest -= play::kStep) {
-        step(m_controls.wish(now, turned));
-        turned = {0, 0};
+        step(m_controls.wish(now, std::exchange(m_turned, {0, 0})));
     }
     m_time += m_seconds;
     for (Message& message : m_messages)

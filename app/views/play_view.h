@@ -80,6 +80,7 @@ private:
     std::deque<Message> m_messages;
     std::vector<editor::PlayChange> m_left;
     double m_seconds = 0; // of this frame
+    glm::dvec2 m_turned{0}; // degrees by the mouse that no step has taken yet: a fast frame has none
     double m_time = 0, m_rest = 0;
     double m_scale = 1; // of the picture's sides, to keep up
     glm::dvec3 m_before{0}; // feet at the last frame

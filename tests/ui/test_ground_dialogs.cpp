@@ -131,7 +131,7 @@ TEST_F(GroundDialog, WhatCannotBeDoneIsSaidAndChangesNothing)
     const io::HeightMap before = ground();
     open("reshape_ground");
     rig.click("What to do", "combo", "dialog");
-    rig.click("Cut out a part", "option");
+    rig.click("Cut out or extend", "option");
     enter("To X", "-128");
     rig.click("Apply", "button", "dialog");
     EXPECT_TRUE(rig.editor->groundDialogs().any());

@@ -78,7 +78,14 @@ TEST(Session, TriggersDoWhatTheySayAndTheDocumentStaysAsItWas)
 {
     test::Stage stage = world();
     io::Object named = stage.scene.objects()[2];
-    named.name = "door";
+    const io::ObjectId outer = stage.place(io::TemplateId::None, {0, 0, 0}), inner = stage.place(io::TemplateId::None, {0, 0, 0});
+    for (const auto& [id, parent, name] : {std::tuple{outer, io::ObjectId::None, "door"}, std::tuple{inner, outer, "wing"}}) {
+        io::Object group = stage.scene.at(id);
+        group.parent = parent;
+        group.name = name;
+        stage.scene.exchange(id, group);
+    }
+    named.parent = inner; // in a group in the group that is meant
     stage.scene.exchange(named.id, named);
     const io::TemplateId place = stage.addBox({1, 1, 1}, io::Collision::None);
     io::Template value = *stage.scene.find(place);

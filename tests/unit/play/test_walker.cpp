@@ -1,6 +1,7 @@
 #include "stage.h"
 
 #include "io/base/random.h"
+#include "io/scene/ground.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -169,6 +170,20 @@ TEST_P(WalkerOf, BeginsAboveTheGroundAndOutsideOfWalls)
     EXPECT_GE(walker.feet().y, 0);
     walker.put({4, 0, 0.2}, 0, 0, stage.surroundings());
     EXPECT_LT(walker.depth(stage.surroundings()), 0.01);
+}
+
+TEST_P(WalkerOf, BeginsAboveTheGroundAlsoBesideAWallOnASlope)
+{
+    const auto slope = [](double x, double) { return -x * 0.9; }; // 42 degrees
+    stage.setGround(slope);
+    stage.place(stage.addBox({8, 30, 8}), {0, -15, 0});
+    for (const double x : {-3.0, -1.0, 0.0, 1.0, 3.0}) {
+        walker.put({x, slope(x, 0), 0.3}, 0, 0, stage.surroundings());
+        EXPECT_GE(walker.feet().y, *io::groundHeight(stage.scene, walker.feet().x, walker.feet().z) - 0.01) << x;
+        EXPECT_LT(walker.depth(stage.surroundings()), 0.01) << x;
+        walk(walker, stage, {}, 120);
+        EXPECT_GE(walker.feet().y, *io::groundHeight(stage.scene, walker.feet().x, walker.feet().z) - 0.01) << x;
+    }
 }
 
 TEST_P(WalkerOf, FallsThroughHolesOnly)
