@@ -54,7 +54,7 @@ bool exposesItself(const Settings& settings, const Viewpoint& viewpoint)
 Picture Renderer::State::render(const FrameInput& in)
 {
     shaders.reloadIfDue();
-    if (in.alone) last.reset(), exposure.forget();
+    if (in.alone) last.reset(), exposure.forget(), shadow.forget();
     GpuFrame gpu{stream, timers, stats, empty};
     const io::Environment& environment = in.environment ? *in.environment : scenery.environment;
     scenery.groundShadow.update(scenery.terrain.heights(), inSteps(bodiesOf(environment).towardLight()));
@@ -213,7 +213,8 @@ GeometryPass::Drawn Renderer::State::drawSurfaces(GpuFrame& gpu, const FrameInpu
                               .wind = viewpoint.wind,
                               .swayAngle = float(kLeastSway * pixel),
                               .refused = in.markers ? 0u : CULL_MARKER};
-    const Occlusion occlusion = occlusionOf(in.settings);
+    // Which of two passes draws a thing goes by what was seen before, and where surfaces touch that can be seen.
+    const Occlusion occlusion = in.alone && !frozen ? Occlusion::Off : occlusionOf(in.settings);
     stats.occlusionTested = occlusion != Occlusion::Off;
     GeometryPass::Drawn drawn;
     {

@@ -11,7 +11,7 @@ constexpr float kHighestFactor = 2; // of a kind's own height
 constexpr double kCell = double(GRASS_CELL);
 constexpr int kBlock = 16;          // texels of the map along a side, whose grass is counted together
 constexpr double kSample = 8;       // m
-constexpr double kInView = 0.4;     // share of what is around an eye that it sees at most: a wide view, and what tiles cannot tell from it
+constexpr double kInView = 0.3;     // share of what is around an eye that it sees: a quarter, and what tiles cannot tell from it
 constexpr double kHalfStep = 1.0 / 1024; // of a number that is kept as a half
 
 bool sees(const std::optional<Volume>& volume, const glm::dvec3& low, const glm::dvec3& high)

@@ -216,7 +216,7 @@ void GrassPass::countDrawn(FrameStats& stats, const Settings& settings)
     if (const std::optional<glsl::GrassCounts> counts = m_readback.arrived()) {
         stats.grassDrawn = std::min(counts->drawn, std::uint32_t(settings.mostBlades));
         stats.grassLeftOut = counts->taken - stats.grassDrawn;
-        if (stats.grassLeftOut > 0 && !std::exchange(m_warned, true))
+        if (counts->taken > std::uint32_t(settings.mostBlades) && !std::exchange(m_warned, true))
             io::log::warning("{} blades of grass are in view, {} are drawn; lower render.grass_density or raise render.most_blades", counts->taken, stats.grassDrawn);
     }
     m_readback.ask(m_counts);

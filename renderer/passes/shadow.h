@@ -18,6 +18,11 @@ public:
 
     // A texture of one lit layer where there are no cascades.
     const gl::Texture& render(GpuFrame& gpu, Scenery& scenery, const Viewpoint& viewpoint, const Settings& settings);
+    void forget() // all is drawn anew
+    {
+        for (Layer& layer : m_layers)
+            layer.window = {};
+    }
 
 private:
     struct Key { // of what all of a layer is drawn with
