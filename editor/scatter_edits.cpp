@@ -84,6 +84,16 @@ private:
     std::map<glm::ivec2, io::InstanceTile, io::TileOrder> m_made;
 };
 
+std::size_t counted(const io::InstanceTiles& tiles, const PlantRegion& region, auto&& means)
+{
+    std::size_t count = 0;
+    eachTile(tiles, tilesOf(region.bounds()), [&](const glm::ivec2& place, const io::InstanceTile& tile) {
+        for (const io::Instance& instance : tile.instances)
+            count += means(instance) && region.contains(placeOf(place, instance));
+    });
+    return count;
+}
+
 // change(tile's place, instance) answers false for one that goes.
 InstanceSlots edited(const LayerTiles& layer, const PlantRegion& region, auto&& change)
 {
@@ -260,17 +270,12 @@ void applySlots(io::InstanceTiles& tiles, const InstanceSlots& later)
 
 std::size_t countIn(const io::InstanceTiles& tiles, const PlantRegion& region)
 {
-    return countIn(LayerTiles{.tiles = tiles}, region);
+    return counted(tiles, region, [](const io::Instance&) { return true; });
 }
 
 std::size_t countIn(const LayerTiles& layer, const PlantRegion& region)
 {
-    std::size_t count = 0;
-    eachTile(layer.tiles, tilesOf(region.bounds()), [&](const glm::ivec2& place, const io::InstanceTile& tile) {
-        for (const io::Instance& instance : tile.instances)
-            count += layer.means(instance) && region.contains(placeOf(place, instance));
-    });
-    return count;
+    return counted(layer.tiles, region, [&](const io::Instance& instance) { return layer.means(instance); });
 }
 
 } // namespace editor
