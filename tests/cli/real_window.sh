@@ -37,18 +37,20 @@ calm() { # WORLD: clouds that move by themselves are no sign of anything
 }
 # Of one quality: `auto` goes on to a lower one on a busy machine, and the picture changes with it.
 start() { # EDIT-ARGUMENT…: the editor, in $window as soon as it is on the screen
-    "$wold" edit "$@" --quality medium --size 1280x720 > "$home/log" 2>&1 &
+    "$wold" edit "$@" --quality medium --size 1280x720 --log debug > "$home/log" 2>&1 &
     editor=$!
     until_true 60 "a window" sh -c "xdotool search --onlyvisible --name Wold > $home/window"
     window=$(head -1 "$home/window")
     xdotool windowfocus "$window"
 }
-# Before its first frame an editor has nothing that could be clicked. Needs $view_rect.
-seen() { picture "$home/now.png" && view "$home/now.png" && [ "$(identify -format %k "$home/now.png")" -gt 200 ]; }
+# Before its first frame an editor has nothing that could be clicked, and while it opens a world it takes no clicks: once
+# it waits for somebody it has opened it. Needs $view_rect.
+rested() { grep -q "the window rests after" "$home/log"; }
+seen() { rested && picture "$home/now.png" && view "$home/now.png" && [ "$(identify -format %k "$home/now.png")" -gt 200 ]; }
 start_in() { # WORLD EDIT-ARGUMENT…: until it is seen
     start "$@"
     until_true 60 "the world" titled 'Small *'
-    until_true 60 "a picture of the world" seen
+    until_true 120 "a picture of the world" seen
 }
 title() { xdotool getwindowname "$window"; }
 titled() { [[ "$(title)" == $1 ]]; } # PATTERN
@@ -69,19 +71,21 @@ view_rect_of() { # X Y LEFT TOP WIDTH HEIGHT of the viewport: without the overla
     view_rect=$(($5 - 40))x$(($6 - 140))+$(($3 + 20))+$(($4 + 90))
 }
 view() { convert "$1" -crop "$view_rect" +repage "$1"; }
-still() { # FILE: the viewport, once it has stopped changing
-    local end=$((SECONDS + 60 * ${WOLD_TEST_PATIENCE:-1}))
+still() { # FILE: the viewport, once it has stopped changing: two frames may be more than a second apart on a busy machine
+    local end=$((SECONDS + 60 * ${WOLD_TEST_PATIENCE:-1})) alike=0
     picture "$1" && view "$1"
-    while true; do
+    while [ $alike -lt 3 ]; do
         sleep 0.7
         picture "$home/next.png" && view "$home/next.png"
-        same "$1" "$home/next.png" && return
+        if same "$1" "$home/next.png"; then alike=$((alike + 1)); else alike=0; fi
         [ $SECONDS -lt $end ] || fail "the view does not come to rest"
         mv "$home/next.png" "$1"
     done
 }
 same() { [ "$(compare -metric AE "$1" "$2" null: 2>&1)" = 0 ]; }
-view_is() { picture "$home/now.png" && view "$home/now.png" && same "$1" "$home/now.png"; } # FILE
+difference() { # A B: how many pixels differ, and where, of a failure that nobody sees
+    convert "$1" "$2" -compose difference -composite -threshold 0 -trim -format '%[fx:mean*w*h] pixels within %wx%h%O' info:
+}
 view_differs() { picture "$home/now.png" && view "$home/now.png" && ! same "$1" "$home/now.png"; } # FROM
 
 # The pixels of the pointer's image that can be seen.

@@ -49,8 +49,10 @@ until_true 30 "a hidden pointer" pointer_hidden
 sleep 0.5
 xdotool mouseup 3
 until_true 30 "a pointer that is seen again" pointer_shown
-xdotool key Escape # the menu that a press at rest opens
-until_true 20 "the same view, though the pointer moved before the press," view_is "$out/looked.png"
+until_true 30 "the menu that a press at rest opens" view_differs "$out/looked.png"
+xdotool key --delay 120 Escape
+still "$out/pressed.png"
+same "$out/looked.png" "$out/pressed.png" || fail "the pointer's way to the press was a look: $(difference "$out/looked.png" "$out/pressed.png")"
 
 # A key that was held when the window lost the keyboard is not held for ever.
 xdotool mousedown 3

@@ -6,7 +6,6 @@ wold=$1 make_small_world=$2 out=$3
 source "$(dirname "$0")/real_window.sh"
 
 frames() { sed -n 's/.*the window rests after \([0-9]*\) frames.*/\1/p' "$home/log" | tail -1; }
-rested() { [ -n "$(frames)" ]; }
 drawn_since() { [ "$(frames)" -gt "$1" ]; }
 
 source_folder=$(cd "$(dirname "$0")/../.." && pwd)
@@ -18,7 +17,7 @@ export WOLD_RESOURCES=$home/resources
 
 "$make_small_world" "$home/small"
 xdotool mousemove 700 300
-start "$home/small" --log debug
+start "$home/small"
 until_true 60 "the world" titled 'Small *'
 until_true 120 "rest" rested
 sleep 7 # the message that it was opened goes
