@@ -23,9 +23,9 @@ struct Tier {
     float grassDistance, grassDensity; // m; share
 };
 constexpr std::array<Tier, 4> kTiers{{{Quality::Low, 2, 512, 120, 3.5f, 1.5f, renderer::AntiAliasing::Off, false, 4, true, false, renderer::CloudKind::Layer, 8000, 35, 0.6f},
-                                      {Quality::Medium, 4, 1024, 350, 3.0f, 1.5f, renderer::AntiAliasing::Fxaa, false, 4, true, false, renderer::CloudKind::Layer, 20'000, 60, 1},
-                                      {Quality::High, 6, 2048, 1000, 1, 1, renderer::AntiAliasing::Fxaa, true, 1, false, true, renderer::CloudKind::Volume, 200'000, 150, 1},
-                                      {Quality::Ultra, 6, 8192, 1e6f, 0.6f, 1, renderer::AntiAliasing::Fxaa, true, 1, false, true, renderer::CloudKind::Volume, 500'000, 250, 1}}};
+                                      {Quality::Medium, 4, 1024, 350, 3.0f, 1.5f, renderer::AntiAliasing::Scene, false, 4, true, false, renderer::CloudKind::Layer, 20'000, 60, 1},
+                                      {Quality::High, 6, 2048, 1000, 1, 1, renderer::AntiAliasing::Scene, true, 1, false, true, renderer::CloudKind::Volume, 200'000, 150, 1},
+                                      {Quality::Ultra, 6, 8192, 1e6f, 0.6f, 1, renderer::AntiAliasing::Scene, true, 1, false, true, renderer::CloudKind::Volume, 500'000, 250, 1}}};
 
 // What a tier needs, a second. A frame of 1280x720 draws half a million triangles for the camera and each cascade.
 struct Need {

@@ -43,6 +43,19 @@ void holdStick(play::Held& held, const std::string& name, const glm::vec2& at)
 
 } // namespace
 
+std::vector<std::string> padControls()
+{
+    std::vector<std::string> names;
+    for (const char* button : kButtons)
+        names.push_back(std::string{"pad "} + button);
+    for (const char* stick : {"left", "right"})
+        for (const char* way : {"-x", "+x", "-y", "+y"})
+            names.push_back(std::string{"pad "} + stick + " " + way);
+    for (const char* trigger : {"left trigger", "right trigger"})
+        names.push_back(std::string{"pad "} + trigger);
+    return names;
+}
+
 play::Held heldOn(std::span<const PadState> pads)
 {
     play::Held held;

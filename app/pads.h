@@ -6,6 +6,8 @@
 
 #include <array>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace app {
 
@@ -21,6 +23,7 @@ struct PadState {
     std::array<float, 6> axes{0, 0, 0, 0, -1, -1};
 };
 
+std::vector<std::string> padControls(); // the names of all that may be held
 play::Held heldOn(std::span<const PadState> pads);
 
 // What a replay says.

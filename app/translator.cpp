@@ -1,6 +1,7 @@
 #include "app/translator.h"
 
 #include "editor/text.h"
+#include "io/base/log.h"
 #include "io/base/paths.h"
 #include "io/files/atomic_file.h"
 #include "io/files/json.h"
@@ -20,6 +21,20 @@ io::Result<io::Value> readLanguage(const std::string& code)
     auto bytes = io::readFile(file, 1 << 24);
     if (!bytes) return bytes.error();
     return io::parseJson(*bytes, file.string());
+}
+
+io::Value english()
+{
+    const fs::path file = io::resource(kFolder) / "en.json";
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) {
+        fs::create_directories(file.parent_path(), ignored);
+        if (const io::Status written = io::writeFile(file, kEnglish); written) io::log::info("{}: was missing and is written anew", file.string());
+        else io::log::warning("{}; the texts are those that were built in", written.error().text());
+    }
+    if (auto own = readLanguage("en")) return *std::move(own);
+    else if (fs::exists(file, ignored)) io::log::warning("{}; the texts are those that were built in", own.error().text());
+    return *io::parseJson(kEnglish, "English");
 }
 
 std::string ownName(const io::Value& language, const std::string& code)
@@ -66,12 +81,11 @@ std::vector<editor::Language> languages()
 io::Status useLanguage(const std::string& code)
 {
     if (!isCode(code)) return io::Error{code, "is no name of a language"};
-    auto english = readLanguage("en");
-    if (!english) return english.error();
-    if (code == "en") return editor::setTexts(*english), io::Status{};
+    io::Value under = english();
+    if (code == "en") return editor::setTexts(under), io::Status{};
     const auto chosen = readLanguage(code);
     if (!chosen) return chosen.error();
-    editor::setTexts(merged(*std::move(english), *chosen));
+    editor::setTexts(merged(std::move(under), *chosen));
     return {};
 }
 

@@ -274,6 +274,9 @@ void viewActions(Actions& a, Editor& e)
            .keys = {.key = Key::F},
            .run = [&e] { e.viewport().frameSelection(e); },
            .enabled = open});
+    a.add({.id = "look_played",
+           .run = [&e] { e.viewport().camera.setCamera(*e.cameras().find(kPlayCamera)); },
+           .enabled = [&e, open] { return open() && e.cameras().find(kPlayCamera); }});
     a.add({.id = "store_camera", .icon = Icon::Plus, .run = [&e] { storeCamera(e); }, .enabled = open});
     a.add({.id = "overlays",
            .keys = {.key = Key::F1},

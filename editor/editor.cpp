@@ -15,7 +15,6 @@
 #include "editor/panels/statistics_panel.h"
 #include "editor/panels/templates_panel.h"
 #include "editor/panels/terrain_panel.h"
-#include "editor/start_page.h"
 #include "editor/text.h"
 #include "editor/theme.h"
 #include "editor/ui_map.h"
@@ -58,6 +57,7 @@ Editor::Editor(renderer::Renderer* renderer, Host& host) : m_renderer{renderer},
     addPanels();
     m_actions = makeActions(*this);
     restoreSettings();
+    listProjects();
 }
 
 Editor::~Editor()
@@ -147,6 +147,7 @@ void Editor::adopt(std::unique_ptr<Document> document)
     m_document = std::move(document);
     m_playChanges.clear();
     m_live.forget();
+    m_cameras.forget(kPlayCamera); // was in another world
     m_selection = {};
     wake();
     m_viewport.lookFrom(*m_document);
@@ -176,6 +177,13 @@ void Editor::closeProject()
     m_document.reset();
     m_playChanges.clear();
     m_live.forget();
+    m_cameras.forget(kPlayCamera);
+    listProjects();
+}
+
+void Editor::listProjects()
+{
+    m_startLists = {m_host.recentProjects(), m_host.shippedWorlds()};
 }
 
 bool Editor::save()
@@ -364,7 +372,7 @@ bool Editor::drifts() const
     if (!animates()) return false;
     const io::Environment& environment = m_document->scene().environment();
     const bool drift = environment.clouds.speed != 0 || environment.clouds.change != 0;
-    const bool clouds = renderSettings.clouds && drift && environment.clouds.coverage > 0;
+    const bool clouds = renderSettings.clouds && environment.clouds.on && drift && environment.clouds.coverage > 0;
     const bool wind = renderSettings.wind && environment.wind.speed > 0;
     const bool water = renderSettings.water && waves(environment.water);
     const bool falls = renderSettings.particles && environment.weather.rain + environment.weather.snow > 0;

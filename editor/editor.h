@@ -4,6 +4,7 @@
 #pragma once
 
 #include "editor/actions.h"
+#include "editor/cameras.h"
 #include "editor/dialogs/controls_dialog.h"
 #include "editor/dialogs/dialogs.h"
 #include "editor/dialogs/ground_dialogs.h"
@@ -15,6 +16,7 @@
 #include "editor/scatter_work.h"
 #include "editor/selection.h"
 #include "editor/sound_settings.h"
+#include "editor/start_page.h"
 #include "editor/toasts.h"
 #include "editor/viewport.h"
 #include "editor/workspace.h"
@@ -49,6 +51,8 @@ public:
     void openLater(const std::filesystem::path& project, const std::string& scene = {});
     void adopt(std::unique_ptr<Document> document);
     void closeProject(); // back to the start page
+    void listProjects(); // that the start page shows, anew
+    const StartLists& startLists() const { return m_startLists; }
     bool save();
     bool saveAs(const std::filesystem::path& folder);
     void revert(); // to what is on disk
@@ -79,6 +83,7 @@ public:
     GroundDialogs& groundDialogs() { return m_groundDialogs; }
     Toasts& toasts() { return m_toasts; }
     LiveEnvironment& live() { return m_live; }
+    Cameras& cameras() { return m_cameras; }
     Host& host() { return m_host; }
     renderer::Renderer* renderer() { return m_renderer; }
 
@@ -138,6 +143,8 @@ private:
     GroundDialogs m_groundDialogs;
     Toasts m_toasts;
     LiveEnvironment m_live;
+    Cameras m_cameras;
+    StartLists m_startLists;
     Loading m_loading;
     ScatterWork m_plantsWork;
     std::string m_plantsName;

@@ -129,7 +129,7 @@ void rateMenu(Editor& editor)
 void viewMenu(Editor& editor)
 {
     if (!ui::beginMenu(tr("menu.view"))) return;
-    items(editor, {"frame"});
+    items(editor, {"frame", "look_played"});
     camerasMenu(editor);
     ImGui::Separator();
     showMenu(editor);

@@ -69,11 +69,11 @@ void startPage(Editor& editor, ImVec2 min, ImVec2 max)
     ImGui::Dummy({0, 22});
     const float half = (width - 32) / 2;
     ImGui::BeginChild("##recent", {half, 0});
-    column(editor, tr("start.recent"), tr("start.no_recent"), editor.host().recentProjects(), Icon::Clock);
+    column(editor, tr("start.recent"), tr("start.no_recent"), editor.startLists().recent, Icon::Clock);
     ImGui::EndChild();
     ImGui::SameLine(0, 32);
     ImGui::BeginChild("##worlds", {half, 0});
-    column(editor, tr("start.worlds"), tr("start.no_worlds"), editor.host().shippedWorlds(), Icon::Terrain);
+    column(editor, tr("start.worlds"), tr("start.no_worlds"), editor.startLists().worlds, Icon::Terrain);
     ImGui::EndChild();
     ImGui::EndChild();
     ImGui::End();

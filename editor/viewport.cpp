@@ -153,6 +153,7 @@ void Viewport::input(Editor& editor, double seconds)
     camera.update(seconds);
     if (path.flying() && (m_drag == Drag::Look || editor::pressed(Key::Escape))) path.stop(camera);
     path.update(*editor.document(), camera, seconds);
+    editor.cameras().look(kEditCamera, camera.camera());
     updateGhost(editor);
 }
 

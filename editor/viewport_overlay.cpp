@@ -83,7 +83,7 @@ renderer::FrameInput Viewport::frameInput(Editor& editor)
 {
     refreshSelectionShown(editor);
     renderer::FrameInput input;
-    input.camera = camera.camera();
+    input.camera = editor.cameras().named(kEditCamera);
     input.size = m_size;
     input.settings = editor.renderSettings;
     input.show = editor.show;

@@ -94,7 +94,9 @@ void Renderer::move(std::span<const io::Moved> things)
 
 Picture Renderer::render(const FrameInput& input)
 {
-    return m_state->render(input);
+    FrameInput in = input;
+    in.settings = forScene(in.settings, in.environment ? *in.environment : m_state->scenery.environment);
+    return m_state->render(in);
 }
 
 io::Image Renderer::readPicture()

@@ -1,4 +1,4 @@
-// How the renderer draws: switches and choices that belong to a person and a machine, never to a world.
+// How the renderer draws: switches and choices that belong to a person and a machine, beside what a world chooses itself.
 // Keys are those of --set render.KEY.
 #pragma once
 
@@ -10,11 +10,13 @@
 
 namespace renderer {
 
-enum class AntiAliasing { Off, Fxaa, Smaa, Taa };
-enum class ToneMap { Agx, Neutral, Aces, Reinhard };
-enum class Shading { Pbr, BlinnPhong };
-enum class SkyFrom { Tables, Integral }; // many scatterings by tables, or one by a numerical integral for each pixel
-enum class CloudKind { Layer, Volume };
+// What a scene chooses, and a person may choose in its place: the same words, and `scene`.
+enum class AntiAliasing { Off, Fxaa, Smaa, Taa, Scene };
+enum class ToneMap { Agx, Neutral, Aces, Reinhard, Scene };
+enum class Shading { Pbr, BlinnPhong, Scene };
+enum class SkyFrom { Tables, Integral, Scene };
+
+using io::CloudKind;
 enum class GroundStages { Tessellation, Grid }; // how the ground's vertices are made
 enum class GrassFrom { Blades, Seeds }; // a grid fixed to the world, or points that the ground's pixels give (the original's way)
 enum class Culler { Auto, Cpu, Gpu }; // auto: the GPU where there is one
@@ -39,11 +41,11 @@ struct Settings {
     bool vignette = true;
     bool grain = true;
     bool dither = true;
-    SkyFrom sky = SkyFrom::Tables;
-    CloudKind cloudKind = CloudKind::Layer; // set by --quality
-    AntiAliasing antiAliasing = AntiAliasing::Fxaa;
-    ToneMap toneMap = ToneMap::Agx;
-    Shading shading = Shading::Pbr;
+    SkyFrom sky = SkyFrom::Scene;
+    CloudKind cloudKind = CloudKind::Layer; // the most that a machine can bear; set by --quality
+    AntiAliasing antiAliasing = AntiAliasing::Scene;
+    ToneMap toneMap = ToneMap::Scene;
+    Shading shading = Shading::Scene;
     GroundStages terrain = GroundStages::Grid; // set by --quality
 
     float lodPixels = 1; // how far a coarser level may stray from the full model, in pixels, or texels of a shadow map; set by --quality
@@ -67,14 +69,21 @@ struct Settings {
     bool operator==(const Settings&) const = default;
 };
 
-constexpr auto enumNames(AntiAliasing) { return std::array<std::string_view, 4>{"off", "fxaa", "smaa", "taa"}; }
-constexpr auto enumNames(SkyFrom) { return std::array<std::string_view, 2>{"tables", "integral"}; }
+// The names of an enum of the scene's, and one more.
+template <std::size_t N> constexpr std::array<std::string_view, N + 1> orScene(const std::array<std::string_view, N>& names)
+{
+    std::array<std::string_view, N + 1> all;
+    std::ranges::copy(names, all.begin());
+    all.back() = "scene";
+    return all;
+}
+constexpr auto enumNames(AntiAliasing) { return orScene(enumNames(io::AntiAliasing{})); }
+constexpr auto enumNames(SkyFrom) { return orScene(enumNames(io::SkyFrom{})); }
+constexpr auto enumNames(ToneMap) { return orScene(enumNames(io::ToneMap{})); }
+constexpr auto enumNames(Shading) { return orScene(enumNames(io::Shading{})); }
 constexpr auto enumNames(GrassFrom) { return std::array<std::string_view, 2>{"blades", "seeds"}; }
-constexpr auto enumNames(CloudKind) { return std::array<std::string_view, 2>{"layer", "volume"}; }
-constexpr auto enumNames(ToneMap) { return std::array<std::string_view, 4>{"agx", "neutral", "aces", "reinhard"}; }
 constexpr auto enumNames(Culler) { return std::array<std::string_view, 3>{"auto", "cpu", "gpu"}; }
 constexpr auto enumNames(GroundStages) { return std::array<std::string_view, 2>{"tessellation", "grid"}; }
-constexpr auto enumNames(Shading) { return std::array<std::string_view, 2>{"pbr", "blinn-phong"}; }
 
 void fields(auto& v, io::Of<Settings> auto& s)
 {
@@ -112,6 +121,22 @@ void fields(auto& v, io::Of<Settings> auto& s)
     v("tonemap", s.toneMap, io::Hint{});
     v("shading", s.shading, io::Hint{});
     v("terrain", s.terrain, io::Hint{});
+}
+
+// For a picture of a scene: with what it chooses where nobody chose otherwise, and without what it has switched off.
+inline Settings forScene(Settings settings, const io::Environment& scene)
+{
+    if (settings.sky == SkyFrom::Scene) settings.sky = SkyFrom(scene.sky.method);
+    if (settings.toneMap == ToneMap::Scene) settings.toneMap = ToneMap(scene.grading.toneMap);
+    if (settings.antiAliasing == AntiAliasing::Scene) settings.antiAliasing = AntiAliasing(scene.grading.antiAliasing);
+    if (settings.shading == Shading::Scene) settings.shading = Shading(scene.grading.shading);
+    if (scene.clouds.kind == io::CloudKind::Layer) settings.cloudKind = CloudKind::Layer;
+    settings.clouds &= scene.clouds.on;
+    settings.fog &= scene.fog.on;
+    settings.shadows &= scene.shadows.on;
+    settings.ao &= scene.occlusion.on;
+    settings.dither &= scene.grading.dither;
+    return settings;
 }
 
 inline io::Shadows capped(io::Shadows shadows, const Settings& settings)

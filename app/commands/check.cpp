@@ -1,5 +1,6 @@
 // wold check: reads all that a project names and lists every fault.
 #include "app/commands/commands.h"
+#include "app/play_check.h"
 #include "app/report.h"
 #include "app/sound/sound_check.h"
 #include "io/files/project.h"
@@ -30,17 +31,20 @@ io::Status mend(const std::filesystem::path& project)
     return {};
 }
 
-// What all files of the project hold is said by their readers; what sounds in them, by who can hear.
+// What all files of the project hold is said by their readers; what sounds in them, by who can hear; what is played, by who plays.
 io::Complaints faultsOf(const std::filesystem::path& project)
 {
     io::Complaints complaints = io::checkProject(project);
     io::Complaints said; // by then already
     const auto start = io::openWorld(project, {}, said);
     if (!start) return complaints;
-    io::Complaints sounds;
+    io::Complaints more;
     for (const io::SceneEntry& entry : start->project.scenes)
-        if (const auto world = io::openWorld(project, entry.name, said)) checkSounds(world->scene, world->project.folder, world->entry.file, sounds);
-    for (io::Complaint& complaint : sounds) { // scenes share their templates
+        if (auto world = io::openWorld(project, entry.name, said)) {
+            checkSounds(world->scene, world->project.folder, world->entry.file, more);
+            std::ranges::move(checkPlay(*world, io::KeptLooks{io::looksFolder()}), std::back_inserter(more));
+        }
+    for (io::Complaint& complaint : more) { // scenes share their templates
         const auto same = [&](const io::Complaint& other) { return other.where == complaint.where && other.what == complaint.what; };
         if (std::ranges::none_of(complaints, same)) complaints.push_back(std::move(complaint));
     }

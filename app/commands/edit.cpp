@@ -134,8 +134,9 @@ int replay(const Options& options)
     ImguiHost host{nullptr, settings.uiScale()};
     ReplayedPads pads;
     EditView view{options, (*studio)->renderer(), settings, pads, std::move(std::get<Opened>(opened).document)};
+    StartView start{view};
     PlayView walk{(*studio)->renderer(), pads};
-    ViewManager views{view, walk};
+    ViewManager views{start, view, walk};
     if (const io::Status ready = views.init(); !ready) return fault(ready.error());
     const io::Status played = play(options, *std::move(steps), views, view, host, settings, pads);
     views.stop();
@@ -252,8 +253,9 @@ int openWindow(const Options& options, Purpose purpose)
     if (!renderer) return fault(renderer.error());
     ImguiHost host{window->get(), (*window)->scale() * settings.uiScale()};
     EditView view{options, **renderer, settings, **window, std::move(document)};
+    StartView start{view};
     PlayView walk{**renderer, **window};
-    ViewManager views{view, walk};
+    ViewManager views{start, view, walk};
     if (const io::Status ready = views.init(); !ready) return fault(ready.error());
     Loop loop{**window, host, views, view, settings, recorder ? &*recorder : nullptr};
     if (purpose == Purpose::Play) loop.play();

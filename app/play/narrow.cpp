@@ -91,7 +91,8 @@ std::optional<Hit> sweep(const Mover& mover, const glm::dvec3& from, const glm::
         const auto contact = contactOf(mover, from + motion * share, thing, length * (1 - share) + kTouch);
         if (!contact) return std::nullopt;
         const double approach = -glm::dot(motion, contact->normal);
-        if (approach <= 1e-9 * length) return std::nullopt; // the plane between them is never crossed
+        // The plane between them is never crossed, or grazed: a smooth slope of many triangles is no row of obstacles.
+        if (approach <= 1e-9 * length || contact->distance - approach * (1 - share) >= kTouch - kClose) return std::nullopt;
         if (contact->distance <= kTouch + kClose) return Hit{share, *contact, &thing};
         share += (contact->distance - kTouch) / approach;
         if (share > 1) return std::nullopt;

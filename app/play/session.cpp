@@ -47,7 +47,7 @@ Session::Session(const io::Scene& scene, const io::Assets& assets, const io::Cam
     else
         m_walker.put(camera.eye - glm::dvec3{0, likes.eyeHeight, 0}, camera.yaw, camera.pitch, m_surroundings);
     findTriggers();
-    m_eyeBefore = m_eyeNow = m_walker.eye();
+    m_eyeBefore = m_eyeNow = m_walker.eye() + fixedAt();
 }
 
 void Session::findTriggers()
@@ -109,6 +109,7 @@ void Session::step(const Wish& wish, bool otherEye)
     ++m_steps;
     if (otherEye) m_third = !m_third;
     m_eyeBefore = m_eyeNow;
+    m_centreBefore = m_walker.centre();
     carry();
     const glm::dvec3 before = m_walker.feet();
     m_walker.step(wish, m_surroundings);
@@ -120,7 +121,7 @@ void Session::step(const Wish& wish, bool otherEye)
     carry();
     stepSounds(walked);
     trigger();
-    m_eyeNow = m_walker.eye();
+    m_eyeNow = m_walker.eye() + fixedAt();
     m_stoodOn = m_walker.ground();
     stand();
     standBehind();
@@ -180,15 +181,32 @@ void Session::stepSounds(double walked)
     if (const std::string file = m_feet.walk(m_scene, feet); !file.empty()) m_events.push_back({Event::Kind::Step, file, 0, feet.at});
 }
 
-bool Session::insideOf(const io::Object& object, const io::Trigger& trigger) const
+// The player's middle goes straight from where it was before the step: what is thinner than a step is long is met too.
+bool Session::meets(const io::Object& object, const io::Trigger& trigger) const
 {
     const glm::dvec3 size = glm::dvec3{trigger.size} * glm::abs(glm::dvec3{object.transform.scale}) / 2.0;
-    const glm::dvec3 way = m_walker.centre() - object.transform.position;
-    if (glm::dot(way, way) > glm::dot(size, size)) return false; // most are far away, of planted ones there may be many
-    const glm::dquat turn = io::orientation(object.transform.rotation);
-    const glm::dvec3 at = glm::inverse(turn) * way;
-    if (trigger.shape == io::TriggerShape::Sphere) return glm::dot(at, at) <= size.x * size.x;
-    return glm::all(glm::lessThanEqual(glm::abs(at), size));
+    const glm::dvec3 to = m_walker.centre() - object.transform.position, from = m_centreBefore - object.transform.position;
+    const double reach = glm::length(size) + glm::length(to - from);
+    if (glm::dot(to, to) > reach * reach) return false; // most are far away, of planted ones there may be many
+    const glm::dquat turn = glm::inverse(io::orientation(object.transform.rotation));
+    const glm::dvec3 at = turn * from, way = turn * (to - from);
+    if (trigger.shape == io::TriggerShape::Sphere) {
+        const double length = glm::dot(way, way);
+        const double nearest = length > 0 ? std::clamp(-glm::dot(at, way) / length, 0.0, 1.0) : 0;
+        const glm::dvec3 there = at + way * nearest;
+        return glm::dot(there, there) <= size.x * size.x;
+    }
+    double enter = 0, leave = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(way[axis]) < 1e-12) {
+            if (std::abs(at[axis]) > size[axis]) return false;
+            continue;
+        }
+        const double a = (-size[axis] - at[axis]) / way[axis], b = (size[axis] - at[axis]) / way[axis];
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+    }
+    return enter <= leave;
 }
 
 void Session::trigger()
@@ -196,7 +214,7 @@ void Session::trigger()
     for (Place& place : m_triggers) {
         const io::Object* object = place.planted ? &*place.planted : m_scene.find(place.id);
         const io::Template* value = object ? m_scene.find(object->templateId) : nullptr;
-        const bool inside = value && insideOf(*object, value->trigger);
+        const bool inside = value && meets(*object, value->trigger);
         const bool entered = inside && !place.inside && !(place.done && value->trigger.once);
         place.inside = inside;
         if (!entered) continue;
@@ -219,7 +237,8 @@ void Session::act(const io::TriggerAction& action, const glm::dvec3& at)
     case io::TriggerDo::Teleport:
         if (const io::Camera* camera = m_scene.findCamera(action.what)) {
             m_walker.put(camera->eye - glm::dvec3{0, m_walker.likes().eyeHeight, 0}, camera->yaw, camera->pitch, m_surroundings);
-            m_eyeBefore = m_walker.eye(); // nothing is between the two places
+            m_centreBefore = m_walker.centre(); // nothing is between the two places
+            m_eyeBefore = m_walker.eye() + fixedAt();
         }
         return;
     }
@@ -280,10 +299,32 @@ io::Camera Session::camera(double share) const
     return camera;
 }
 
+double Session::free(const glm::dvec3& from, const glm::dvec3& way)
+{
+    constexpr double kRadius = 0.2; // m, that it keeps from things
+    io::WorldBox box;
+    for (const glm::dvec3& end : {from, from + way})
+        for (const double side : {-kRadius, kRadius})
+            box.add(end + side);
+    double share = 1;
+    for (const Thing& thing : m_surroundings.find(box))
+        if (const auto hit = sweep({.radius = kRadius}, from, way, thing)) share = std::min(share, hit->share);
+    return share;
+}
+
+glm::dvec3 Session::fixedAt()
+{
+    const glm::dvec3 own{m_walker.likes().camera};
+    if (own == glm::dvec3{0}) return own;
+    const double yaw = glm::radians(m_walker.yaw());
+    const glm::dvec3 right{std::cos(yaw), 0, -std::sin(yaw)}, ahead{-std::sin(yaw), 0, -std::cos(yaw)};
+    const glm::dvec3 way = right * own.x + glm::dvec3{0, own.y, 0} + ahead * own.z;
+    return way * free(m_walker.eye(), way);
+}
+
 // The camera of the third person keeps before what stands behind the player: at once where it comes near, slowly back again.
 void Session::standBehind()
 {
-    constexpr double kRadius = 0.2; // m, that it keeps from things
     constexpr double kBack = 4;     // m/s
     m_behindBefore = m_behindNow;
     if (!m_third) {
@@ -291,14 +332,7 @@ void Session::standBehind()
         return;
     }
     const double wanted = double(m_walker.likes().behind);
-    const glm::dvec3 way = -io::forward(eye(m_eyeNow)) * wanted;
-    io::WorldBox box;
-    for (const glm::dvec3& end : {m_eyeNow, m_eyeNow + way})
-        for (const double side : {-kRadius, kRadius})
-            box.add(end + side);
-    double share = 1;
-    for (const Thing& thing : m_surroundings.find(box))
-        if (const auto hit = sweep({.radius = kRadius}, m_eyeNow, way, thing)) share = std::min(share, hit->share);
+    const double share = free(m_eyeNow, -io::forward(eye(m_eyeNow)) * wanted);
     m_behindNow = std::min(share * wanted, m_behindNow + kBack * kStep);
     m_behindBefore = std::min(m_behindBefore, share * wanted);
 }

@@ -59,12 +59,14 @@ private:
     void moveBodies();
     void findTriggers();
     void trigger();
-    bool insideOf(const io::Object& object, const io::Trigger& trigger) const;
+    bool meets(const io::Object& object, const io::Trigger& trigger) const; // on the way of this step
     void act(const io::TriggerAction& action, const glm::dvec3& at);
     void show(const std::string& name, bool shown);
     void stepSounds(double walked);
     io::Camera eye(const glm::dvec3& at) const;
     void standBehind();
+    double free(const glm::dvec3& from, const glm::dvec3& way); // share of it that a camera can go
+    glm::dvec3 fixedAt(); // m from the eye, in the world: where the camera is fixed to the player
 
     io::Scene m_scene;
     io::Camera m_begin;
@@ -84,7 +86,8 @@ private:
     std::size_t m_most = 4096; // of m_changes, before repeated ones are looked for
     io::ObjectId m_stoodOn = io::ObjectId::None;
     io::Transform m_stoodAt;
-    glm::dvec3 m_eyeBefore{0}, m_eyeNow{0};
+    glm::dvec3 m_eyeBefore{0}, m_eyeNow{0}; // where the camera is fixed
+    glm::dvec3 m_centreBefore{0}; // of the player, before this step
     double m_behindBefore = 0, m_behindNow = 0; // m, from the eye to the camera of the third person
     io::Footsteps m_feet;
     bool m_third = false;

@@ -4,8 +4,10 @@
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/CollisionShapes/btShapeHull.h>
 #include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
+#include <LinearMath/btConvexHullComputer.h>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace play {
 namespace {
@@ -61,21 +63,47 @@ void makeCapsule(Shape& shape, const std::vector<glm::vec3>& points, bool hasLea
     shape.stem = std::max(0.0, size[shape.axis] / 2 - shape.radius);
 }
 
-// The outermost points in 42 directions: a hull that is quick to ask and never sticks out of the model.
+// The corners of the convex hull. Of one with many, the outermost in 256 directions: it never sticks out of the model and is
+// quick to ask.
 void makeHull(Shape& shape, const std::vector<glm::vec3>& points)
 {
-    btConvexHullShape all;
+    constexpr int kMostCorners = 64, kFine = 1;
+    std::vector<btVector3> all;
     for (const glm::vec3& p : points)
-        all.addPoint({p.x - shape.centre.x, p.y - shape.centre.y, p.z - shape.centre.z}, false);
-    all.setMargin(0);
-    all.recalcLocalAabb();
-    btShapeHull hull{&all};
-    if (points.size() > 42 && hull.buildHull(0) && hull.numVertices() >= 4)
-        for (int i = 0; i < hull.numVertices(); ++i)
-            shape.points.emplace_back(hull.getVertexPointer()[i].x(), hull.getVertexPointer()[i].y(), hull.getVertexPointer()[i].z());
-    else
-        for (const glm::vec3& p : points)
-            shape.points.emplace_back(glm::dvec3{p} - shape.centre);
+        all.emplace_back(p.x - shape.centre.x, p.y - shape.centre.y, p.z - shape.centre.z);
+    btConvexHullComputer exact;
+    exact.compute(&all[0].x(), sizeof(btVector3), int(all.size()), 0, 0);
+    std::vector<int> corners; // of the model, for the computer's own are rounded
+    for (int i = 0; i < exact.original_vertex_index.size(); ++i)
+        corners.push_back(exact.original_vertex_index[i]);
+    std::ranges::sort(corners);
+    std::vector<btVector3> found;
+    for (const int i : corners)
+        found.push_back(all[std::size_t(i)]);
+    if (found.size() > kMostCorners) {
+        btConvexHullShape outer{&found[0].x(), int(found.size())};
+        outer.setMargin(0);
+        btShapeHull hull{&outer};
+        if (hull.buildHull(0, kFine) && hull.numVertices() >= 4) found.assign(hull.getVertexPointer(), hull.getVertexPointer() + hull.numVertices());
+    }
+    for (const btVector3& p : found)
+        shape.points.emplace_back(p.x(), p.y(), p.z());
+}
+
+// Where a ray meets a triangle: how far along it, and whether from behind. Nothing: it is missed (Moeller and Trumbore 1997).
+struct Met {
+    double far;
+    bool behind;
+};
+std::optional<Met> along(const glm::dvec3& at, const glm::dvec3& way, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+    const glm::dvec3 u = b - a, v = c - a, p = glm::cross(way, v);
+    const double turned = glm::dot(u, p);
+    if (std::abs(turned) < 1e-12) return std::nullopt;
+    const glm::dvec3 from = at - a, q = glm::cross(from, u);
+    const double x = glm::dot(from, p) / turned, y = glm::dot(way, q) / turned, far = glm::dot(v, q) / turned;
+    if (x < 0 || y < 0 || x + y > 1 || far < 0) return std::nullopt;
+    return Met{far, turned < 0};
 }
 
 } // namespace
@@ -117,6 +145,26 @@ Shape shapeOf(const io::Template& value, const io::Model& model)
         if (shape.form == Form::Hull) makeHull(shape, points);
     }
     return shape;
+}
+
+bool inside(const Shape& mesh, const MeshTree& tree, const glm::dvec3& at)
+{
+    std::vector<std::uint32_t> triangles;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1.0, 1.0}) {
+            glm::dvec3 way{0}, end = at;
+            way[axis] = side;
+            end[axis] = side < 0 ? mesh.box.min[axis] - 0.1 : mesh.box.max[axis] + 0.1;
+            triangles.clear();
+            tree.touching({glm::min(at, end) - 1e-4, glm::max(at, end) + 1e-4}, triangles);
+            std::optional<Met> nearest;
+            for (const std::uint32_t first : triangles) {
+                const auto corner = [&](std::uint32_t i) { return mesh.vertices[mesh.indices[first + i]]; };
+                if (const auto met = along(at, way, corner(0), corner(1), corner(2)); met && (!nearest || met->far < nearest->far)) nearest = met;
+            }
+            if (!nearest || !nearest->behind) return false;
+        }
+    return true;
 }
 
 struct MeshTree::State {

@@ -23,7 +23,7 @@ struct Shape {
     glm::dvec3 half{0};             // of a box
     int axis = 1;                   // of a capsule
     double radius = 0, stem = 0;    // of a capsule; stem: half the length of its segment
-    std::vector<glm::dvec3> points; // of a hull, from the centre; at most 42
+    std::vector<glm::dvec3> points; // of a hull, from the centre; at most 256
     std::vector<glm::dvec3> vertices;
     std::vector<std::uint32_t> indices; // of a mesh
 };
@@ -47,6 +47,7 @@ inline bool isMet(const io::Template& value)
     return value.collision != io::Collision::None || value.body.dynamic;
 }
 Shape shapeOf(const io::Template& value, const io::Model& model);
+bool inside(const Shape& mesh, const MeshTree& tree, const glm::dvec3& at); // in model space: behind its faces wherever one looks
 
 class Shapes {
 public:

@@ -164,6 +164,17 @@ const std::vector<Thing>& Surroundings::find(const io::WorldBox& box)
     return m_found;
 }
 
+bool Surroundings::buried(const glm::dvec3& at)
+{
+    std::vector<Standing> around;
+    standing({at, at}, around);
+    return std::ranges::any_of(around, [&](const Standing& thing) {
+        const Shape& shape = m_shapes.of(thing.templateId);
+        if (shape.form != Form::Mesh) return false;
+        return inside(shape, m_shapes.tree(thing.templateId), glm::dvec3{glm::inverse(io::worldFromModel(thing.transform)) * glm::dvec4{at, 1}});
+    });
+}
+
 void Surroundings::standing(const io::WorldBox& box, std::vector<Standing>& things)
 {
     const std::size_t first = things.size();

@@ -35,6 +35,9 @@ public:
     // As they are now, whatever was moved; for the pictures of shapes.
     void addObject(io::ObjectId id, const io::WorldBox& box, std::vector<Thing>& things);
 
+    // Whether a place lies in the solid of a closed mesh, which has walls alone; those of what is convex are told by contactOf().
+    bool buried(const glm::dvec3& at);
+
     Shapes& shapes() { return m_shapes; }
     const io::Scene& scene() const { return m_scene; }
 

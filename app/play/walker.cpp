@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace play {
 namespace {
@@ -16,8 +17,9 @@ constexpr double kDrag = 3;           // 1/s, of water
 constexpr double kAfloat = 0.7;       // share of the height that is in the water when swimming begins
 constexpr int kSlides = 6;            // things slid along in a step
 constexpr int kWedged = 15;           // steps
+constexpr int kFirm = 30;             // steps on the ground, after which a place is one to come back to
 constexpr double kLooked = 89;        // degrees, the most up and down
-constexpr double kLost = 200;         // m below the ground, where a fall ends
+constexpr double kLost = 200;         // m below the ground, or below where it last stood if there is none, where a fall ends
 
 const double kRadians = glm::radians(1.0);
 
@@ -122,7 +124,7 @@ glm::dvec3 Walker::lifted(const glm::dvec3& at, const io::Scene& scene) const
 }
 
 // The nearest place, further and further out and up, where the body fits.
-void Walker::findRoom(const io::Scene& scene)
+void Walker::findRoom(Surroundings& surroundings)
 {
     const glm::dvec3 start = centre();
     for (double reach = 0.25; reach < 24; reach *= 1.5)
@@ -130,8 +132,8 @@ void Walker::findRoom(const io::Scene& scene)
             for (int turn = 0; turn < 8; ++turn) {
                 const double angle = turn * 45 * kRadians;
                 const glm::dvec3 way = up == 2 ? glm::dvec3{0, 1, 0} : glm::normalize(glm::dvec3{std::cos(angle), up, std::sin(angle)});
-                const glm::dvec3 place = lifted(start + way * reach, scene);
-                if (!room(place)) continue;
+                const glm::dvec3 place = lifted(start + way * reach, surroundings.scene());
+                if (!room(place) || surroundings.buried(place)) continue;
                 m_feet += place - start;
                 return;
             }
@@ -139,7 +141,7 @@ void Walker::findRoom(const io::Scene& scene)
 
 void Walker::put(const glm::dvec3& feet, double yaw, double pitch, Surroundings& surroundings)
 {
-    m_feet = finite(feet) ? feet : glm::dvec3{0};
+    m_feet = onMap(finite(feet) ? feet : glm::dvec3{0}, surroundings.scene());
     m_yaw = yaw;
     m_pitch = std::clamp(pitch, -kLooked, kLooked);
     m_velocity = {0, 0, 0};
@@ -148,14 +150,16 @@ void Walker::put(const glm::dvec3& feet, double yaw, double pitch, Surroundings&
     if (const auto ground = io::groundHeight(surroundings.scene(), m_feet.x, m_feet.z); ground && m_feet.y < *ground + kGap) m_feet.y = *ground + kGap;
     gather(surroundings, glm::dvec3{1});
     const glm::dvec3 out = pushedOut(centre());
-    if (room(out) && lifted(out, surroundings.scene()) == out) {
+    if (room(out) && !surroundings.buried(out) && lifted(out, surroundings.scene()) == out) {
         m_feet += out - centre();
     } else {
         gather(surroundings, glm::dvec3{50});
-        findRoom(surroundings.scene());
+        findRoom(surroundings);
     }
     gather(surroundings, glm::dvec3{1});
     land(0.1);
+    m_stood = m_stands = m_feet;
+    m_standing = 0;
 }
 
 void Walker::carry(const glm::dmat4& moved, double turned, Surroundings& surroundings)
@@ -218,6 +222,7 @@ Walker::Slid Walker::slide(glm::dvec3 at, glm::dvec3 motion, glm::dvec3 velocity
             const glm::dvec3 flat = level(plane);
             if (glm::dot(flat, flat) > 1e-6) plane = glm::normalize(flat);
         }
+        std::erase_if(planes, [&](const glm::dvec3& other) { return glm::dot(plane, other) > 0.999; }); // the next piece of the same slope
         planes.push_back(plane);
         motion = along(motion, planes);
         // On a floor the way along it is as long seen from above.
@@ -287,8 +292,9 @@ void Walker::walk(const Wish& wish)
     const Slid plain = slide(from, motion, m_velocity, true);
     Slid best = plain;
     if (plain.blocked && m_likes.step > 0) { // the same way a step higher
-        const auto ceiling = first(from, {0, m_likes.step, 0});
-        const double up = m_likes.step * (ceiling ? ceiling->share : 1.0);
+        const double rise = m_likes.step + kGap; // clear of a stair that is just as high
+        const auto ceiling = first(from, {0, rise, 0});
+        const double up = rise * (ceiling ? ceiling->share : 1.0);
         const Slid high = slide(from + glm::dvec3{0, up, 0}, level(motion), m_velocity, true);
         const auto under = first(high.at, {0, -up - 0.02, 0});
         const auto gone = [&](const glm::dvec3& at) { return glm::length(level(at - from)); };
@@ -339,14 +345,24 @@ void Walker::swim(const Wish& wish)
     m_ground = io::ObjectId::None;
 }
 
+glm::dvec3 Walker::onMap(glm::dvec3 feet, const io::Scene& scene) const
+{
+    const auto& map = scene.heights();
+    if (!map) return feet;
+    const glm::dvec2 low = map->origin, high = map->origin + glm::dvec2{map->size - 1} * double(map->metresPerTexel);
+    const glm::dvec2 inside = glm::min(glm::dvec2{m_likes.radius + 0.1}, (high - low) / 2.0);
+    const glm::dvec2 at = glm::clamp(glm::dvec2{feet.x, feet.z}, low + inside, high - inside);
+    return {at.x, feet.y, at.y};
+}
+
 // Through a hole one gets under the ground, through the ground never.
 void Walker::stayAboveGround(const glm::dvec3& before, const io::Scene& scene)
 {
     const auto& heights = scene.heights();
-    if (!heights) return;
-    if (m_feet.y < heights->min - kLost) { // out of the world
-        if (const auto ground = io::groundHeight(scene, m_feet.x, m_feet.z)) m_feet.y = *ground + kGap, m_velocity = {0, 0, 0};
-        else m_feet = before, m_velocity = {0, 0, 0};
+    if (m_feet.y < (heights ? double(heights->min) : m_stood.y) - kLost) { // out of the world
+        if (const auto ground = io::groundHeight(scene, m_feet.x, m_feet.z)) m_feet.y = *ground + kGap;
+        else m_feet = m_stood;
+        m_velocity = {0, 0, 0};
     }
     const auto was = io::groundHeight(scene, before.x, before.z), is = io::groundHeight(scene, m_feet.x, m_feet.z);
     if (was && is && before.y >= *was - 0.01 && m_feet.y < *is - 0.01) m_feet.y = *is + kGap;
@@ -382,6 +398,7 @@ void Walker::step(const Wish& wish, Surroundings& surroundings)
     }
     if (!finite(m_feet) || !finite(m_velocity)) m_feet = before, m_velocity = {0, 0, 0};
     stayAboveGround(before, surroundings.scene());
+    if (m_grounded && ++m_standing % kFirm == 0) m_stood = std::exchange(m_stands, m_feet); // not the edge that it is about to fall off
     m_things = nullptr;
 }
 

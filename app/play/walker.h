@@ -31,7 +31,7 @@ class Walker {
 public:
     explicit Walker(const io::PlayerStart& likes = {}) : m_likes{likes}, m_height{likes.height} {}
 
-    // At a place and looking somewhere; out of whatever is there, and out of the ground.
+    // At a place and looking somewhere; out of whatever is there, out of the ground, and on the map.
     void put(const glm::dvec3& feet, double yaw, double pitch, Surroundings& surroundings);
     void step(const Wish& wish, Surroundings& surroundings);
 
@@ -67,7 +67,7 @@ private:
     std::optional<glm::dvec3> floorOf(const Hit& hit, double feet) const; // its normal where one can stand on it, from there
     glm::dvec3 pushedOut(glm::dvec3 at) const;
     bool room(const glm::dvec3& at) const;
-    void findRoom(const io::Scene& scene);
+    void findRoom(Surroundings& surroundings);
     glm::dvec3 lifted(const glm::dvec3& centre, const io::Scene& scene) const; // onto the ground, where it is below
     void look(const Wish& wish);
     void crouch(const Wish& wish, Surroundings& surroundings);
@@ -78,11 +78,14 @@ private:
     void land(double reach);
     void gather(Surroundings& surroundings, const glm::dvec3& reach);
     void stayAboveGround(const glm::dvec3& before, const io::Scene& scene);
+    glm::dvec3 onMap(glm::dvec3 feet, const io::Scene& scene) const; // the nearest place there
     glm::dvec3 wished(const Wish& wish, double speed) const;
     void touch(const Hit& hit, const glm::dvec3& velocity);
 
     io::PlayerStart m_likes;
     glm::dvec3 m_feet{0}, m_velocity{0}, m_groundNormal{0, 1, 0};
+    glm::dvec3 m_stood{0}, m_stands{0}; // where it stood a second ago or earlier, or began; what becomes that next
+    int m_standing = 0;                 // steps that it has been on the ground since
     double m_yaw = 0, m_pitch = 0;
     double m_height = 1.8, m_eye = 1.68;
     bool m_grounded = false, m_flying = false, m_swimming = false, m_crouching = false;

@@ -2,8 +2,8 @@
 
 #include "app/sound/sound_file.h"
 #include "io/base/paths.h"
+#include "io/base/text_place.h"
 
-#include <fstream>
 #include <map>
 
 namespace app {
@@ -15,19 +15,6 @@ struct Naming {
     fs::path file; // that names the sound
     std::string key;
 };
-
-// FILE:LINE of the first line that holds the text in quotes; of the first at all where none does.
-std::string placeOf(const fs::path& file, const std::string& text)
-{
-    std::ifstream in{file};
-    const std::string quoted = '"' + text + '"';
-    int number = 0;
-    for (std::string line; std::getline(in, line);) {
-        ++number;
-        if (line.find(quoted) != std::string::npos) return file.string() + ":" + std::to_string(number);
-    }
-    return file.string() + ":1";
-}
 
 std::string faultOf(const fs::path& project, const std::string& file)
 {
@@ -59,7 +46,7 @@ void checkSounds(const io::Scene& scene, const fs::path& project, const std::str
         add(layer.steps, sceneFile, "terrain.layers");
     for (const auto& [sound, by] : named)
         if (const std::string fault = faultOf(project, sound); !fault.empty())
-            complaints.push_back({io::Severity::Error, placeOf(by.file, sound), by.key + ": " + sound + ": " + fault});
+            complaints.push_back({io::Severity::Error, io::placeOf(by.file, sound), by.key + ": " + sound + ": " + fault});
 }
 
 } // namespace app

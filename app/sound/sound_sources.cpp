@@ -1,6 +1,7 @@
 #include "app/sound/sound_sources.h"
 
 #include "io/scene/falloff.h"
+#include "io/scene/instance_walk.h"
 
 #include <algorithm>
 
@@ -14,10 +15,14 @@ bool sounds(const io::Template* what)
     return what && !what->sound.file.empty();
 }
 
+SoundSources::Place placeOf(io::ObjectId id, io::TemplateId templateId, const io::Transform& transform, const io::Template& what)
+{
+    const glm::dvec3 offset{linearPart(transform) * what.sound.offset};
+    return {.at = transform.position + offset, .radius = what.sound.radius, .object = id, .what = templateId};
+}
 SoundSources::Place placeOf(const io::Object& object, const io::Template& what)
 {
-    const glm::dvec3 offset{linearPart(object.transform) * what.sound.offset};
-    return {.at = object.transform.position + offset, .radius = what.sound.radius, .object = object.id, .what = object.templateId};
+    return placeOf(object.id, object.templateId, object.transform, what);
 }
 
 } // namespace
@@ -28,7 +33,8 @@ void SoundSources::follow(const io::Scene& scene, const io::Changes& changes)
         const std::size_t slot = number(id) - 1;
         return sounds(scene.find(id)) || (slot < m_sounding.size() && m_sounding[slot]);
     };
-    if (!m_built || changes.everything || std::ranges::any_of(changes.templates, touches)) return rebuild(scene);
+    const bool planted = changes.scatter || std::ranges::any_of(changes.instances, [&](const io::LayerTile& tile) { return soundsIn(scene, tile.layer); });
+    if (!m_built || changes.everything || planted || std::ranges::any_of(changes.templates, touches)) return rebuild(scene);
     for (const io::ObjectId id : changes.objects)
         followObject(scene, id);
 }
@@ -51,6 +57,24 @@ void SoundSources::rebuild(const io::Scene& scene)
         m_indexOf.emplace(object.id, m_places.size());
         m_places.push_back(placeOf(object, *scene.find(object.templateId)));
     }
+    addPlanted(scene);
+}
+
+bool SoundSources::soundsIn(const io::Scene& scene, io::ScatterId layer) const
+{
+    const io::ScatterLayer* const own = scene.find(layer);
+    return !own || std::ranges::any_of(io::templatesOf(scene, *own), [&](io::TemplateId id) { return sounds(scene.find(id)); });
+}
+
+void SoundSources::addPlanted(const io::Scene& scene)
+{
+    for (const io::ScatterLayer& layer : scene.scatterLayers()) {
+        if (!soundsIn(scene, layer.id)) continue;
+        for (const auto& [place, tile] : scene.instances(layer.id))
+            io::eachInstance(scene, {layer.id, place}, [&](io::ObjectId id, io::TemplateId templateId, const io::Transform& transform) {
+                if (const io::Template* what = scene.find(templateId); sounds(what)) m_places.push_back(placeOf(id, templateId, transform, *what));
+            });
+    }
 }
 
 void SoundSources::followObject(const io::Scene& scene, io::ObjectId id)
@@ -72,7 +96,7 @@ void SoundSources::followObject(const io::Scene& scene, io::ObjectId id)
     m_indexOf.erase(known);
     if (gap + 1 < m_places.size()) {
         m_places[gap] = m_places.back();
-        m_indexOf[m_places[gap].object] = gap;
+        if (const auto moved = m_indexOf.find(m_places[gap].object); moved != m_indexOf.end()) moved->second = gap; // the planted have no entry
     }
     m_places.pop_back();
 }

@@ -8,7 +8,7 @@
 
 namespace app {
 
-// A mirror of the scene that holds only objects with a sound, densely: an ear asks all of them in a tenth of a millisecond for
+// A mirror of the scene that holds only objects and planted copies with a sound, densely: an ear asks all of them in a tenth of a millisecond for
 // each hundred thousand.
 class SoundSources {
 public:
@@ -25,6 +25,8 @@ public:
 private:
     void rebuild(const io::Scene& scene);
     void followObject(const io::Scene& scene, io::ObjectId id);
+    void addPlanted(const io::Scene& scene);
+    bool soundsIn(const io::Scene& scene, io::ScatterId layer) const;
 
     bool m_built = false;
     std::vector<bool> m_sounding; // by template slot: it had a sound when last looked at

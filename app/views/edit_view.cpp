@@ -124,7 +124,8 @@ std::optional<PlayBegin> EditView::takePlay()
     const std::optional<bool> asked = std::exchange(m_play, std::nullopt);
     if (!asked || !m_editor->document()) return {};
     m_editor->follow(); // the renderer shows what is played, also where the editor has drawn nothing yet
-    return PlayBegin{m_editor->document(), &m_editor->picker(), m_editor->viewport().camera.camera(), *asked, repeatable(), m_alone, m_editor->renderSettings, m_editor->sound};
+    m_editor->cameras().look(editor::kEditCamera, m_editor->viewport().camera.camera()); // the same
+    return PlayBegin{m_editor->document(), &m_editor->picker(), &m_editor->cameras(), *asked, repeatable(), m_alone, m_editor->renderSettings, m_editor->sound};
 }
 
 void EditView::playAtOnce()

@@ -17,7 +17,6 @@
 namespace app {
 namespace {
 
-constexpr double kMostBehind = 0.25;  // s of steps that one frame makes up for
 constexpr double kFastEnough = 1.0 / 24; // s a frame, from which the picture is drawn coarser
 constexpr double kCoarsest = 0.35;
 constexpr double kTrodApart = 0.35;   // m
@@ -32,8 +31,8 @@ void PlayView::begin(const PlayBegin& begin)
 {
     m_begin = begin;
     m_wantsBack = false;
-    m_time = m_rest = m_seconds = 0;
-    m_turned = {0, 0};
+    m_time = m_seconds = 0;
+    m_clock = {};
     m_now.reset();
     m_coming.reset();
     m_trod.clear();
@@ -41,7 +40,7 @@ void PlayView::begin(const PlayBegin& begin)
     m_between.clear();
     m_messages = {{editor::tr(begin.alone ? "play.hint_alone" : "play.hint"), kHintStays}};
     m_controls = play::Controls{begin.document->project().controls};
-    m_session.emplace(begin.document->scene(), begin.document->assets(), begin.camera, begin.fromMarker);
+    m_session.emplace(begin.document->scene(), begin.document->assets(), begin.cameras->named(editor::kEditCamera), begin.fromMarker);
     m_before = m_session->walker().feet();
     m_heard = {.everything = true};
     if (begin.repeatable) return;
@@ -144,11 +143,8 @@ void PlayView::runImGui()
     }
     const ImGuiIO& io = ImGui::GetIO();
     const play::Held now = held();
-    m_turned += glm::dvec2{-double(io.MouseDelta.x), -double(io.MouseDelta.y)} * play::kTurnOfPixel;
-    m_rest = std::min(m_rest + m_seconds, kMostBehind);
-    for (; m_rest >= play::kStep; m_rest -= play::kStep) {
-        step(m_controls.wish(now, std::exchange(m_turned, {0, 0})));
-    }
+    const glm::dvec2 turned = glm::dvec2{-double(io.MouseDelta.x), -double(io.MouseDelta.y)} * play::kTurnOfPixel;
+    m_clock.pass(m_seconds, turned, [&](const glm::dvec2& turn) { step(m_controls.wish(now, turn)); });
     m_time += m_seconds;
     for (Message& message : m_messages)
         message.seconds -= m_seconds;
@@ -162,7 +158,7 @@ void PlayView::runImGui()
 
     const std::vector<renderer::Presser> pressed = pressers();
     renderer::FrameInput in;
-    in.camera = m_session->camera(m_rest / play::kStep);
+    in.camera = m_begin.cameras->look(editor::kPlayCamera, m_session->camera(m_clock.share()));
     in.size = pictureSize();
     in.settings = m_begin.drawing;
     in.time = m_time;
@@ -184,7 +180,7 @@ void PlayView::moveBetween()
     for (const io::Moved& thing : m_between)
         if (const io::Object* object = m_session->scene().find(thing.id)) rested.push_back({thing.id, object->transform});
     m_renderer.move(rested);
-    m_between = m_session->between(m_rest / play::kStep);
+    m_between = m_session->between(m_clock.share());
     m_renderer.move(m_between);
 }
 

@@ -3,8 +3,10 @@
 
 #include "app/pads.h"
 #include "app/play/shape_lines.h"
+#include "app/play/step_clock.h"
 #include "app/sound/sound.h"
 #include "app/views/view.h"
+#include "editor/cameras.h"
 #include "editor/picker.h"
 #include "editor/play_changes.h"
 #include "editor/sound_settings.h"
@@ -23,7 +25,7 @@ namespace app {
 struct PlayBegin {
     const editor::Document* document = nullptr; // outlives the play, and does not change meanwhile
     const editor::Picker* picker = nullptr;     // of that: what stands before a sound muffles it
-    io::Camera camera;
+    editor::Cameras* cameras = nullptr;         // begins where the editor's looks, and is one of them itself
     bool fromMarker = false;   // begins at the world's start marker, if it has one
     bool repeatable = false;   // no sound, and pictures in full size however long they take
     bool alone = false;        // Escape ends the program: there is no editor to come back to
@@ -80,8 +82,8 @@ private:
     std::deque<Message> m_messages;
     std::vector<editor::PlayChange> m_left;
     double m_seconds = 0; // of this frame
-    glm::dvec2 m_turned{0}; // degrees by the mouse that no step has taken yet: a fast frame has none
-    double m_time = 0, m_rest = 0;
+    play::StepClock m_clock;
+    double m_time = 0;
     double m_scale = 1; // of the picture's sides, to keep up
     glm::dvec3 m_before{0}; // feet at the last frame
     std::optional<play::ShapeLines> m_shapes; // while they are shown

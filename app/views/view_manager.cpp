@@ -1,15 +1,22 @@
 #include "app/views/view_manager.h"
 
+#include <initializer_list>
 #include <utility>
 
 namespace app {
 
 io::Status ViewManager::init()
 {
-    for (View* view : {static_cast<View*>(&m_edit), static_cast<View*>(&m_play)})
+    for (View* view : std::initializer_list<View*>{&m_edit, &m_start, &m_play})
         if (io::Status ready = view->init(); !ready) return ready;
-    show(m_edit);
+    show(home());
     return {};
+}
+
+View& ViewManager::home() const
+{
+    if (m_edit.editor().document()) return m_edit;
+    return m_start;
 }
 
 void ViewManager::show(View& view)
@@ -24,7 +31,7 @@ void ViewManager::show(View& view)
 
 void ViewManager::frame(double seconds, const std::function<void()>& beginImGui)
 {
-    if (playing() && m_play.wantsBack()) show(m_edit);
+    if (!playing() || m_play.wantsBack()) show(home());
     if (const std::optional<PlayBegin> begin = playing() ? std::nullopt : m_edit.takePlay()) {
         m_play.begin(*begin);
         show(m_play);
@@ -47,6 +54,7 @@ void ViewManager::stop()
 void ViewManager::burn()
 {
     m_play.burn();
+    m_start.burn();
     m_edit.burn();
 }
 

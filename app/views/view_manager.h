@@ -3,6 +3,7 @@
 
 #include "app/views/edit_view.h"
 #include "app/views/play_view.h"
+#include "app/views/start_view.h"
 
 #include <functional>
 
@@ -10,7 +11,7 @@ namespace app {
 
 class ViewManager {
 public:
-    ViewManager(EditView& edit, PlayView& play) : m_edit{edit}, m_play{play} {}
+    ViewManager(StartView& start, EditView& edit, PlayView& play) : m_start{start}, m_edit{edit}, m_play{play} {}
 
     io::Status init();
     void frame(double seconds, const std::function<void()>& beginImGui); // run, then what begins ImGui's frame, then its widgets
@@ -22,7 +23,9 @@ public:
 
 private:
     void show(View& view);
+    View& home() const; // where one works: the editor, or the start page while nothing is open
 
+    StartView& m_start;
     EditView& m_edit;
     PlayView& m_play;
     View* m_now = nullptr;

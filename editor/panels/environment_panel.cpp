@@ -19,6 +19,7 @@ namespace {
 bool counts(const io::Shadows& shadows, std::string_view key)
 {
     constexpr std::string_view kEnd = "end_";
+    if (!shadows.on) return key == "on";
     const bool byHand = shadows.splits == io::Splits::Manual;
     if (key == "lambda") return !byHand && shadows.cascades > 1;
     if (key == "splits" || key == "blend") return shadows.cascades > 1;
@@ -40,6 +41,9 @@ bool counts(const io::Environment& e, std::string_view key)
     if (key == "time_zone") return e.clock == io::Clock::Zone;
     if (key.starts_with("auto_exposure.")) return e.autoExposure.on || key == "auto_exposure.on";
     if (key.starts_with("water.")) return e.water.on || key == "water.on";
+    if (key.starts_with("clouds.")) return e.clouds.on || key == "clouds.on";
+    if (key.starts_with("fog.")) return e.fog.on || key == "fog.on";
+    if (key.starts_with("occlusion.")) return e.occlusion.on || key == "occlusion.on";
     return true;
 }
 

@@ -11,12 +11,17 @@ enum class SunMode { Time, Manual };
 enum class Clock { Solar, Zone };         // what `time` counts: the sun's own hours, or those of a time zone
 enum class Splits { Practical, Manual };  // where cascades end: by lambda, or each by hand
 enum class ShadowFilter { Pcf3, Pcf5, Pcf7 };
+enum class SkyFrom { Tables, Integral };    // many scatterings by tables, or one by a numerical integral for each pixel
+enum class CloudKind { Layer, Volume };     // volume: where the machine can bear them, else a layer
+enum class Shading { Pbr, BlinnPhong };
+enum class ToneMap { Agx, Neutral, Aces, Reinhard };
+enum class AntiAliasing { Off, Fxaa, Smaa, Taa };
 
 struct Sun {
     SunMode mode = SunMode::Time;
     float azimuth = 135;        // degrees clockwise from north (-Z); used when manual
     float elevation = 40;       // degrees above the horizon; used when manual
-    glm::vec3 irradiance{1};    // linear RGB above the atmosphere
+    glm::vec3 irradiance{1};    // linear RGB above the atmosphere, as a factor: radiances are per unit of it
     float angularDiameter = 0.53f; // degrees
     bool operator==(const Sun&) const = default;
 };
@@ -33,6 +38,7 @@ struct Moon {
 
 // Earth's atmosphere after Hillaire 2020, with Mie extinction 4.44e-6 /m (Bruneton's albedo 0.9).
 struct Sky {
+    SkyFrom method = SkyFrom::Tables;
     glm::vec3 rayleigh{5.802f, 13.558f, 33.1f}; // scattering at sea level, 1e-6 per m
     float rayleighHeight = 8000;                // scale height, m
     float mieScattering = 3.996f;               // 1e-6 per m
@@ -50,6 +56,8 @@ struct Sky {
 };
 
 struct Clouds {
+    bool on = true;
+    CloudKind kind = CloudKind::Volume;
     float coverage = 0.35f; // share of the sky, 0..1
     float altitude = 2500;  // m
     float softness = 0.25f; // width of a cloud's edge, 0..1
@@ -72,6 +80,7 @@ struct Wind {
 };
 
 struct Fog {
+    bool on = true;
     float density = 0.00012f; // extinction at height `base`, per m
     float height = 220;       // scale height over which it thins out, m
     float base = 0;           // m
@@ -81,6 +90,7 @@ struct Fog {
 };
 
 struct Shadows {
+    bool on = true;
     int cascades = 4;       // 1..6
     float distance = 350;   // m, end of the last cascade
     Splits splits = Splits::Practical;
@@ -116,6 +126,7 @@ struct Water {
 };
 
 struct Occlusion {
+    bool on = true;
     float radius = 2;   // m
     float strength = 1; // power on the share of the sky that is seen
     bool operator==(const Occlusion&) const = default;
@@ -141,6 +152,10 @@ struct Grading {
     float saturation = 1;
     float vignette = 0.15f;    // how much darker the corners are
     float grain = 0;
+    bool dither = true;        // against bands where the picture changes slowly
+    ToneMap toneMap = ToneMap::Agx;
+    AntiAliasing antiAliasing = AntiAliasing::Fxaa;
+    Shading shading = Shading::Pbr; // of surfaces
     bool operator==(const Grading&) const = default;
 };
 

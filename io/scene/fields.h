@@ -39,6 +39,11 @@ constexpr auto enumNames(SunMode) { return std::array<std::string_view, 2>{"time
 constexpr auto enumNames(Clock) { return std::array<std::string_view, 2>{"solar", "zone"}; }
 constexpr auto enumNames(Splits) { return std::array<std::string_view, 2>{"practical", "manual"}; }
 constexpr auto enumNames(ShadowFilter) { return std::array<std::string_view, 3>{"pcf3", "pcf5", "pcf7"}; }
+constexpr auto enumNames(SkyFrom) { return std::array<std::string_view, 2>{"tables", "integral"}; }
+constexpr auto enumNames(CloudKind) { return std::array<std::string_view, 2>{"layer", "volume"}; }
+constexpr auto enumNames(Shading) { return std::array<std::string_view, 2>{"pbr", "blinn-phong"}; }
+constexpr auto enumNames(ToneMap) { return std::array<std::string_view, 4>{"agx", "neutral", "aces", "reinhard"}; }
+constexpr auto enumNames(AntiAliasing) { return std::array<std::string_view, 4>{"off", "fxaa", "smaa", "taa"}; }
 constexpr auto enumNames(LightKind) { return std::array<std::string_view, 3>{"none", "point", "spot"}; }
 constexpr auto enumNames(ParticleKind) { return std::array<std::string_view, 4>{"none", "fire", "smoke", "dust"}; }
 constexpr auto enumNames(Collision) { return std::array<std::string_view, 5>{"none", "box", "mesh", "capsule", "hull"}; }
@@ -56,7 +61,7 @@ void fields(auto& v, Of<Sun> auto& s)
     v("mode", s.mode, Hint{});
     v("azimuth", s.azimuth, Hint{.min = -360, .max = 360, .unit = "deg"});
     v("elevation", s.elevation, Hint{.min = -90, .max = 90, .unit = "deg"});
-    v("irradiance", s.irradiance, Hint{.min = 0, .max = 1000});
+    v("irradiance", s.irradiance, Hint{.min = 0, .max = 1000, .unit = "x"});
     v("angular_diameter", s.angularDiameter, Hint{.min = 0.05, .max = 20, .unit = "deg"});
 }
 
@@ -72,6 +77,7 @@ void fields(auto& v, Of<Moon> auto& m)
 
 void fields(auto& v, Of<Sky> auto& s)
 {
+    v("method", s.method, Hint{});
     v("rayleigh", s.rayleigh, Hint{.min = 0, .max = 200, .unit = "1e-6/m", .style = Style::Logarithmic});
     v("rayleigh_height", s.rayleighHeight, Hint{.min = 100, .max = 50000, .unit = "m", .style = Style::Logarithmic});
     v("mie_scattering", s.mieScattering, Hint{.min = 0, .max = 200, .unit = "1e-6/m", .style = Style::Logarithmic});
@@ -89,6 +95,8 @@ void fields(auto& v, Of<Sky> auto& s)
 
 void fields(auto& v, Of<Clouds> auto& c)
 {
+    v("on", c.on, Hint{});
+    v("kind", c.kind, Hint{});
     v("coverage", c.coverage, Hint{.min = 0, .max = 1});
     v("altitude", c.altitude, Hint{.min = 100, .max = 20000, .unit = "m", .style = Style::Logarithmic});
     v("softness", c.softness, Hint{.min = 0.01, .max = 1});
@@ -117,6 +125,7 @@ void fields(auto& v, Of<Wind> auto& w)
 
 void fields(auto& v, Of<Fog> auto& f)
 {
+    v("on", f.on, Hint{});
     v("density", f.density, Hint{.min = 0, .max = 0.1, .unit = "1/m", .style = Style::Logarithmic});
     v("height", f.height, Hint{.min = 1, .max = 20000, .unit = "m", .style = Style::Logarithmic});
     v("base", f.base, Hint{.min = -10000, .max = 10000, .unit = "m"});
@@ -137,6 +146,7 @@ void fields(auto& v, Of<Water> auto& w)
 
 void fields(auto& v, Of<Shadows> auto& s)
 {
+    v("on", s.on, Hint{});
     v("cascades", s.cascades, Hint{.min = 1, .max = 6});
     v("distance", s.distance, Hint{.min = 10, .max = 5000, .unit = "m", .style = Style::Logarithmic});
     v("splits", s.splits, Hint{});
@@ -158,6 +168,7 @@ void fields(auto& v, Of<Shadows> auto& s)
 
 void fields(auto& v, Of<Occlusion> auto& o)
 {
+    v("on", o.on, Hint{});
     v("radius", o.radius, Hint{.min = 0.05, .max = 50, .unit = "m", .style = Style::Logarithmic});
     v("strength", o.strength, Hint{.min = 0, .max = 4});
 }
@@ -181,6 +192,10 @@ void fields(auto& v, Of<Grading> auto& g)
     v("saturation", g.saturation, Hint{.min = 0, .max = 2});
     v("vignette", g.vignette, Hint{.min = 0, .max = 1});
     v("grain", g.grain, Hint{.min = 0, .max = 1});
+    v("dither", g.dither, Hint{});
+    v("tone_map", g.toneMap, Hint{});
+    v("anti_aliasing", g.antiAliasing, Hint{});
+    v("shading", g.shading, Hint{});
 }
 
 void fields(auto& v, Of<Environment> auto& e)
@@ -367,6 +382,7 @@ void fields(auto& v, Of<PlayerStart> auto& p)
     v("radius", p.radius, Hint{.min = 0.05, .max = 5, .unit = "m"});
     v("eye_height", p.eyeHeight, Hint{.min = 0.1, .max = 20, .unit = "m"});
     v("crouched", p.crouched, Hint{.min = 0.1, .max = 20, .unit = "m"});
+    v("camera", p.camera, Hint{.min = -50, .max = 50, .unit = "m"});
     v("behind", p.behind, Hint{.min = 0.2, .max = 50, .unit = "m"});
     v("walk", p.walk, Hint{.min = 0.1, .max = 100, .unit = "m/s"});
     v("run", p.run, Hint{.min = 0.1, .max = 100, .unit = "m/s"});

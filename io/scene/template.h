@@ -106,7 +106,8 @@ struct PlayerStart {
     float radius = 0.3f;     // m
     float eyeHeight = 1.68f; // m above the feet
     float crouched = 1.1f;   // m, height while crouching
-    float behind = 3.5f;     // m, from the eye to the camera of the third person
+    glm::vec3 camera{0};     // m right of, above and ahead of the eye, where the camera is fixed; it turns with the player
+    float behind = 3.5f;     // m, from there to the camera of the third person
     float walk = 2.2f;       // m/s
     float run = 5.5f;
     float creep = 1.1f;      // crouched

@@ -87,6 +87,43 @@ TEST_F(Faults, aSoundThatIsNoneIsAnErrorAtTheLineThatNamesIt)
     EXPECT_NE(checked.out.find("crate.json:" + std::to_string(line) + ": error: steps: "), std::string::npos) << checked.out;
 }
 
+TEST_F(Faults, whatNobodyCouldPlayIsAWarningAtItsLine)
+{
+    const std::string file = project + "/templates/crate.json";
+    std::string text = textOf(file);
+    text.insert(text.rfind('}'), R"(,
+  "trigger": {"shape": "box", "size": [4, 4, 4], "once": false, "actions": [
+    {"action": "teleport", "what": "nowhere", "seconds": 0},
+    {"action": "show", "what": "nobody", "seconds": 0},
+    {"action": "come_to_look", "what": "doomsday", "seconds": 0},
+    {"action": "come_to_look", "what": "dawn", "seconds": 0}]},
+  "player": {"start": true}
+)");
+    std::ofstream{file} << text;
+    std::string own = textOf(project + "/project.json");
+    own.insert(own.rfind('}'), R"(,
+  "controls": [{"action": "moonwalk", "by": "W"}, {"action": "jump", "by": "Hyper"}, {"action": "jump", "by": "pad A"}, {"action": "run", "by": "mouse 2"}]
+)");
+    std::ofstream{project + "/project.json"} << own;
+    std::string scene = textOf(project + "/scenes/main.scene.json");
+    const std::string crate = R"("position":[0,0,0])";
+    ASSERT_NE(scene.find(crate), scene.npos);
+    scene.replace(scene.find(crate), crate.size(), R"("position":[9000,0,0])");
+    std::ofstream{project + "/scenes/main.scene.json"} << scene;
+    const Ran ran = wold({"check", project});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    const auto lineOf = [](const std::string& all, const char* word) { return std::to_string(std::count(all.begin(), all.begin() + std::ptrdiff_t(all.find(word)), '\n') + 1); };
+    for (const char* word : {"nowhere", "nobody", "doomsday"})
+        EXPECT_NE(ran.out.find("crate.json:" + lineOf(text, word) + ": warning: trigger.actions: "), std::string::npos) << word << ran.out;
+    for (const char* word : {"moonwalk", "Hyper"})
+        EXPECT_NE(ran.out.find("project.json:" + lineOf(own, word) + ": warning: controls: "), std::string::npos) << word << ran.out;
+    EXPECT_NE(ran.out.find("beside the ground"), std::string::npos) << ran.out;
+    std::size_t warnings = 0;
+    for (std::size_t at = 0; (at = ran.out.find(": warning: ", at)) != ran.out.npos; ++at)
+        ++warnings;
+    EXPECT_EQ(warnings, 6u) << ran.out; // and of nothing else
+}
+
 TEST_F(Faults, imagesThatAreNoHeightMaps)
 {
     const std::string file = project + "/terrain/ground.png";

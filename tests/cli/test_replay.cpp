@@ -53,6 +53,35 @@ TEST_F(Replay, playingLeavesTheEditorAndTheFilesAsTheyWere)
     EXPECT_EQ(scene(), before);
 }
 
+TEST_F(Replay, aWalkIsTracedStepByStepAndTheSameEachTime)
+{
+    const auto walk = [&](const char* trace) {
+        folder.write("walk.jsonl", "{\"move\": [100, 100]}\n{\"keydown\": \"W\"}\n{\"wait\": 30}\n{\"move\": [220, 90]}\n{\"keydown\": \"Space\"}\n{\"keyup\": \"Space\"}\n{\"wait\": 60}\n");
+        return wold({"play", project, "--input", folder / "walk.jsonl", "--frames", "150", "--trace", folder / trace, "--view", "0,4,16,0,0", "--quiet"});
+    };
+    ASSERT_EQ(walk("one.jsonl").code, 0);
+    ASSERT_EQ(walk("other.jsonl").code, 0);
+    const std::string trace = textOf(folder / "one.jsonl");
+    EXPECT_EQ(trace, textOf(folder / "other.jsonl")); // to the last bit
+    EXPECT_EQ(std::ranges::count(trace, '\n'), 150);
+    std::istringstream lines{trace};
+    std::vector<io::Value> steps;
+    for (std::string line; std::getline(lines, line);)
+        steps.push_back(json(line));
+    const auto at = [&](std::size_t step, std::size_t axis) { return *(*steps[step].find("position")->asArray())[axis].asNumber(); };
+    EXPECT_LT(at(149, 2), at(0, 2) - 2) << "ahead, along -Z";
+    EXPECT_GT(std::abs(at(149, 0) - at(40, 0)), 0.2) << "the mouse turned";
+    bool jumped = false;
+    for (const io::Value& step : steps) {
+        for (const char* key : {"step", "position", "velocity", "grounded", "contacts", "sounds"})
+            EXPECT_NE(step.find(key), nullptr) << key;
+        jumped |= !*step.find("grounded")->asBool();
+    }
+    EXPECT_TRUE(jumped);
+    folder.write("walk.jsonl", "{\"keydown\": \"Hyper\"}\n");
+    expectFault(wold({"play", project, "--input", folder / "walk.jsonl", "--trace", folder / "one.jsonl"}), "walk.jsonl:1");
+}
+
 // A crate is pushed; the editor comes back with it where it stood, until that is ticked in the list of what changed.
 TEST_F(Replay, aPushedCrateStaysWhereItStoodUnlessThatIsKept)
 {

@@ -1,6 +1,7 @@
 #include "stage.h"
 
 #include "app/play/session.h"
+#include "app/play/step_clock.h"
 #include "io/base/random.h"
 #include "io/scene/instances.h"
 
@@ -40,6 +41,32 @@ TEST(Session, TheSameInputIsTheSameToTheLastBit)
     const test::Stage stage = world();
     Session one{stage.scene, stage.assets, above(0, 0)}, other{stage.scene, stage.assets, above(0, 0)};
     EXPECT_EQ(traceOf(one, 600), traceOf(other, 600));
+}
+
+// The mouse goes on evenly and is told in each frame; whatever the length of a frame, a step gets as much of it.
+TEST(Session, TheWalkIsTheSameAtAnyFrameRate)
+{
+    const test::Stage stage = world();
+    const auto endOf = [&](int framesInASecond, double& yaw) {
+        Session session{stage.scene, stage.assets, above(0, 0)};
+        StepClock clock;
+        for (int i = 0; i < 3 * framesInASecond; ++i)
+            clock.pass(1.0 / framesInASecond, glm::dvec2{180.0 / framesInASecond, 0}, [&](const glm::dvec2& turned) {
+                yaw += turned.x;
+                session.step({.move = {0, 1}, .run = true});
+            });
+        EXPECT_NEAR(double(session.steps()), 180, 1) << framesInASecond;
+        while (session.steps() < 181)
+            session.step({.move = {0, 1}, .run = true});
+        return session.walker().feet();
+    };
+    double yaw = 0;
+    const glm::dvec3 wanted = endOf(60, yaw);
+    for (const int rate : {10, 24, 144, 200, 1000}) {
+        yaw = 0;
+        EXPECT_EQ(endOf(rate, yaw), wanted) << rate;
+        EXPECT_NEAR(yaw, 540, 180.0 / 60 + 180.0 / rate) << rate; // all of it, but for what the last step has not had
+    }
 }
 
 TEST(Session, TheThirdPersonsCameraKeepsBeforeWalls)
@@ -128,6 +155,45 @@ TEST(Session, PlantedTriggersActToo)
             heard += event.what == "ding";
     }
     EXPECT_EQ(heard, 1);
+}
+
+TEST(Session, ATriggerThinnerThanAStepIsLongIsMet)
+{
+    test::Stage stage;
+    stage.setGround([](double, double) { return 0.0; });
+    for (const io::TriggerShape shape : {io::TriggerShape::Box, io::TriggerShape::Sphere}) {
+        const io::TemplateId id = stage.scene.templateSlot("thin");
+        stage.scene.exchange(id, io::Template{.name = "thin", .trigger = {.shape = shape, .size = {shape == io::TriggerShape::Box ? 20.0f : 0.6f, 4, 0.05f}, .actions = {{.what = "met"}}}});
+        const io::ObjectId gate = stage.place(id, {0, 3, 0}, {0, 0, 0});
+        int met = 0;
+        Session session{stage.scene, stage.assets, {.eye = {0.1, 3.9, 20}}, false};
+        for (int i = 0; i < 30; ++i) { // flying, 64 m/s: more than a metre a step
+            session.step({.move = {0, 1}, .run = true, .fly = i == 0});
+            met += int(session.events().size());
+        }
+        EXPECT_LT(session.walker().feet().z, -5) << "it flew through";
+        EXPECT_EQ(met, 1);
+        stage.scene.exchange(gate, std::nullopt);
+    }
+}
+
+TEST(Session, TheCameraIsFixedToAPointOfThePlayerAndKeepsOutOfWalls)
+{
+    test::Stage stage;
+    stage.setGround([](double, double) { return 0.0; });
+    const io::TemplateId start = stage.scene.templateSlot("start");
+    stage.scene.exchange(start, io::Template{.name = "start", .player = {.start = true, .camera = {0.6f, 0.2f, -0.3f}}});
+    stage.place(start, {0, 0, 0}, {0, 90, 0}); // looks along -X: its right is -Z, behind it +X
+    Session session{stage.scene, stage.assets, above(0, 0)};
+    session.step({});
+    const glm::dvec3 from = session.camera().eye - session.walker().eye();
+    EXPECT_NEAR(from.x, 0.3, 1e-5);
+    EXPECT_NEAR(from.y, 0.2, 1e-5);
+    EXPECT_NEAR(from.z, -0.6, 1e-5);
+    stage.place(stage.addBox({4, 4, 0.1f}), {0, 0, -0.7});
+    Session beside{stage.scene, stage.assets, above(0, 0)};
+    beside.step({});
+    EXPECT_GT(beside.camera().eye.z, -0.5);
 }
 
 TEST(Session, StepsSoundAsTheGroundThatShows)

@@ -239,5 +239,91 @@ TEST_P(WalkerOf, AHundredThingsAreWalkedAgainst)
     }
 }
 
+TEST_P(WalkerOf, ClimbsAStepOfTheVeryHeightItMayAndNoHigherOne)
+{
+    stage.setGround(flat);
+    stage.place(stage.addBox({3, walker.likes().step, 3}), {0, 0, -4});
+    stage.place(stage.addBox({3, walker.likes().step + 0.02f, 3}), {8, 0, -4});
+    start({0, 0, 0});
+    walk(walker, stage, kAhead, 120);
+    EXPECT_NEAR(walker.feet().y, double(walker.likes().step), 0.01);
+    start({8, 0, 0});
+    walk(walker, stage, kAhead, 120);
+    EXPECT_NEAR(walker.feet().y, 0, 0.01);
+}
+
+TEST_P(WalkerOf, BeginsOutsideOfTheSolidOfAMesh)
+{
+    stage.setGround(flat);
+    stage.place(stage.addBox({8, 6, 8}, io::Collision::Mesh), {0, 0, 0}, {0, 30, 0}); // walls alone: nothing touches one in its middle
+    walker.put({0, 1, 0}, 0, 0, stage.surroundings());
+    EXPECT_FALSE(stage.surroundings().buried(walker.centre()));
+    EXPECT_LT(walker.depth(stage.surroundings()), 0.01);
+    const glm::dvec3 inside = glm::abs(walker.feet());
+    EXPECT_TRUE(inside.x > 3.5 || inside.z > 3.5 || inside.y > 5.9);
+}
+
+TEST_P(WalkerOf, BeginsInTheRoomOfAMeshWhereOneStands)
+{
+    stage.setGround(flat);
+    io::Model room = io::boxModel({8, 6, 8}, glm::vec4{1});
+    for (std::size_t i = 0; i + 2 < room.indices.size(); i += 3)
+        std::swap(room.indices[i + 1], room.indices[i + 2]); // its faces look inwards
+    stage.place(stage.addTemplate("room", io::Collision::Mesh, room), {0, -0.1, 0});
+    walker.put({1, 0.5, 1}, 0, 0, stage.surroundings());
+    EXPECT_NEAR(walker.feet().x, 1, 0.01);
+    EXPECT_NEAR(walker.feet().z, 1, 0.01);
+}
+
+TEST_P(WalkerOf, BeginsAtTheEdgeOfTheMapWhereItsStartLiesBesideIt)
+{
+    stage.setGround(flat);
+    for (const glm::dvec3& beside : {glm::dvec3{500, 3, 0}, {0, 3, -90}, {-40, -10, 40}}) {
+        walker.put(beside, 0, 0, stage.surroundings());
+        walk(walker, stage, {}, 240);
+        EXPECT_TRUE(walker.grounded()) << beside.x;
+        EXPECT_NEAR(walker.feet().y, 0, 0.01) << beside.x;
+        EXPECT_LT(std::max(std::abs(walker.feet().x), std::abs(walker.feet().z)), 32) << beside.x;
+    }
+}
+
+TEST_P(WalkerOf, ComesBackToWhereItStoodFromWhereThereIsNothing)
+{
+    stage.place(stage.addBox({4, 1, 4}), {0, -1, 0}); // a world without ground
+    start({0, 0, 0});
+    walk(walker, stage, kAhead, 180);
+    EXPECT_LT(walker.feet().y, -2);
+    const double edge = walker.feet().z;
+    walk(walker, stage, {}, 900); // 200 m take 7 s
+    EXPECT_TRUE(walker.grounded());
+    EXPECT_NEAR(walker.feet().y, 0, 0.01);
+    EXPECT_GT(walker.feet().z, edge);
+}
+
+TEST_P(WalkerOf, SwimsWhereTheWaterIsDeepAndWalksOutOfIt)
+{
+    stage.setGround([](double, double z) { return std::clamp(z * 0.4, -6.0, 4.0); });
+    io::Environment lake;
+    lake.water.on = true;
+    lake.water.level = 0;
+    stage.scene.exchange(lake);
+    start({0, 3.2, 8});
+    EXPECT_FALSE(walker.swimming());
+    walk(walker, stage, kAhead, 600); // into it
+    ASSERT_TRUE(walker.swimming());
+    const double from = walker.feet().z;
+    walk(walker, stage, kAhead, 60);
+    EXPECT_NEAR(from - walker.feet().z, double(walker.likes().swim), 0.1);
+    walk(walker, stage, {.move = {0, 1}, .pitch = -1}, 240, [&] { EXPECT_LT(walker.depth(stage.surroundings()), 0.01); }); // down, as far as one looks down
+    EXPECT_LT(walker.feet().y, -2.5);
+    walk(walker, stage, {.jump = true}, 240); // up to the surface and no further
+    EXPECT_NEAR(walker.feet().y, -0.7 * 1.8, 0.3);
+    walker.put(walker.feet(), 180, 0, stage.surroundings());
+    walk(walker, stage, kAhead, 1500);
+    EXPECT_FALSE(walker.swimming());
+    EXPECT_TRUE(walker.grounded());
+    EXPECT_GT(walker.feet().y, 0);
+}
+
 } // namespace
 } // namespace play

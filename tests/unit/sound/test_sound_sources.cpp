@@ -1,5 +1,6 @@
 #include "app/sound/sound_sources.h"
 #include "app/sound/wind_sound.h"
+#include "io/scene/instances.h"
 
 #include <gtest/gtest.h>
 
@@ -62,6 +63,38 @@ TEST(SoundSources, KeepsOnlyWhatSoundsAndFollowsIt)
     scene.exchange(fire, std::nullopt);
     sources.follow(scene, {.templates = {fire}});
     EXPECT_EQ(sources.places().size(), 5u);
+}
+
+TEST(SoundSources, PlantedCopiesSoundToo)
+{
+    io::Scene scene;
+    const io::TemplateId reed = scene.templateSlot("reed");
+    scene.exchange(reed, io::Template{.name = "reed", .sound = {.file = "sounds/frogs.ogg", .radius = 8}});
+    const io::ScatterId layer{1};
+    scene.exchange(std::vector<io::ScatterLayer>{{.id = layer, .name = "shore", .species = {{.templateName = "reed"}}}});
+    const auto plant = [&](int count) {
+        std::vector<io::Instance> instances;
+        for (int i = 0; i < count; ++i)
+            instances.push_back(io::instanceAt({.position = {double(i), 2, 3}}, 0).instance);
+        scene.exchange(io::LayerTile{layer, {0, 0}}, std::make_shared<const io::InstanceTile>(io::InstanceTile{.instances = instances}));
+    };
+    plant(4);
+    app::SoundSources sources;
+    sources.follow(scene, {});
+    ASSERT_EQ(sources.places().size(), 4u);
+    EXPECT_NEAR(sources.places()[3].at.x, 3, 1e-3);
+    EXPECT_EQ(sources.places()[3].what, reed);
+    EXPECT_EQ(sources.places()[3].radius, 8);
+    plant(2);
+    sources.follow(scene, {.instances = {{layer, {0, 0}}}});
+    EXPECT_EQ(sources.places().size(), 2u);
+    const io::ObjectId object = scene.freshId();
+    scene.exchange(object, io::Object{.id = object, .templateId = reed});
+    sources.follow(scene, {.objects = {object}});
+    EXPECT_EQ(sources.places().size(), 3u);
+    scene.exchange(object, std::nullopt);
+    sources.follow(scene, {.objects = {object}});
+    EXPECT_EQ(sources.places().size(), 2u);
 }
 
 TEST(WindSound, GrowsWithSpeedHeightAndStorm)
