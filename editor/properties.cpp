@@ -1,7 +1,7 @@
 #include "editor/properties.h"
 
 #include "io/files/json.h"
-#include "io/scene/exposure_limits.h"
+#include "io/scene/field_order.h"
 #include "io/scene/field_value.h"
 #include "io/scene/shadow_ends.h"
 
@@ -168,15 +168,15 @@ std::vector<std::string_view> keysUnder(std::string_view section, const std::vec
 // What was set stays, what must be in order with it makes room; an error where both were set.
 io::Status mendOrder(io::Environment& environment, const std::vector<std::string_view>& set)
 {
-    constexpr std::string_view kShadows = "shadows.", kExposure = "auto_exposure.";
+    constexpr std::string_view kShadows = "shadows.";
     if (const auto keys = keysUnder(kShadows, set); !keys.empty())
         if (const std::optional<io::EndFault> fault = io::spreadEnds(environment.shadows, keys))
             return io::Error{"environment.shadows." + fault->key, fault->what};
-    const auto limits = keysUnder(kExposure, set);
-    const bool lowest = std::ranges::count(limits, "lowest"), highest = std::ranges::count(limits, "highest");
-    const std::optional<std::string> fault = io::limitsFault(environment.autoExposure);
-    if (fault && lowest && highest) return io::Error{"environment.auto_exposure.highest", *fault};
-    if (fault && (lowest || highest)) io::pushLimits(environment.autoExposure, limits.back());
+    for (const io::OrderFault& fault : io::orderFaults(environment)) {
+        const bool less = std::ranges::count(set, fault.less), greater = std::ranges::count(set, fault.greater);
+        if (less && greater) return io::Error{"environment." + std::string{fault.greater}, fault.what};
+        if (less || greater) io::keepOrder(environment, less ? fault.less : fault.greater);
+    }
     return {};
 }
 

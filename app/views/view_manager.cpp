@@ -1,9 +1,22 @@
 #include "app/views/view_manager.h"
 
+#include "io/base/log.h"
+
+#include <chrono>
 #include <initializer_list>
 #include <utility>
 
 namespace app {
+namespace {
+
+void timed(const char* what, const std::function<void()>& done)
+{
+    const auto start = std::chrono::steady_clock::now();
+    done();
+    io::log::debug("{} took {:.1f} ms", what, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+}
+
+} // namespace
 
 io::Status ViewManager::init()
 {
@@ -31,11 +44,13 @@ void ViewManager::show(View& view)
 
 void ViewManager::frame(double seconds, const std::function<void()>& beginImGui)
 {
-    if (!playing() || m_play.wantsBack()) show(home());
-    if (const std::optional<PlayBegin> begin = playing() ? std::nullopt : m_edit.takePlay()) {
-        m_play.begin(*begin);
-        show(m_play);
-    }
+    if (!playing()) show(home());
+    else if (m_play.wantsBack()) timed("leaving play", [&] { show(home()); });
+    if (const std::optional<PlayBegin> begin = playing() ? std::nullopt : m_edit.takePlay())
+        timed("entering play", [&] {
+            m_play.begin(*begin);
+            show(m_play);
+        });
     m_now->run(seconds);
     beginImGui();
     m_now->runImGui();

@@ -6,7 +6,7 @@
 #include "editor/search_text.h"
 #include "editor/text.h"
 #include "editor/widgets.h"
-#include "io/scene/exposure_limits.h"
+#include "io/scene/field_order.h"
 #include "io/scene/shadow_ends.h"
 
 #include <algorithm>
@@ -50,8 +50,8 @@ bool counts(const io::Environment& e, std::string_view key)
 // An end that is dragged takes its neighbours along; those that begin to count find a place between the others.
 void keepInOrder(io::Environment& environment, std::string_view changedKey)
 {
-    constexpr std::string_view kShadows = "shadows.", kExposure = "auto_exposure.";
-    if (changedKey.starts_with(kExposure)) io::pushLimits(environment.autoExposure, changedKey.substr(kExposure.size()));
+    constexpr std::string_view kShadows = "shadows.";
+    io::keepOrder(environment, changedKey);
     if (!changedKey.starts_with(kShadows)) return;
     io::Shadows& shadows = environment.shadows;
     const std::string_view key = changedKey.substr(kShadows.size());

@@ -1,7 +1,7 @@
 #include "io/files/documents.h"
 
 #include "io/files/headed_file.h"
-#include "io/scene/exposure_limits.h"
+#include "io/scene/field_order.h"
 #include "io/scene/shadow_ends.h"
 
 #include <algorithm>
@@ -30,12 +30,14 @@ void checkShadows(Shadows& shadows, const std::string& name, std::string_view te
     spreadEnds(shadows);
 }
 
-void checkExposure(AutoExposure& exposure, const std::string& name, std::string_view text, Complaints& complaints)
+void checkOrder(Environment& environment, const std::string& name, std::string_view text, Complaints& complaints)
 {
-    const std::optional<std::string> fault = limitsFault(exposure);
-    if (!fault) return;
-    complaints.push_back({Severity::Error, whereIs(name, text, "auto_exposure", "highest"), "auto_exposure.highest: " + *fault});
-    pushLimits(exposure, "lowest");
+    for (const OrderFault& fault : orderFaults(environment)) {
+        const std::size_t dot = fault.greater.find('.');
+        complaints.push_back({Severity::Error, whereIs(name, text, fault.greater.substr(0, dot), fault.greater.substr(dot + 1)),
+                              std::string{fault.greater} + ": " + fault.what});
+        keepOrder(environment, fault.less);
+    }
 }
 
 } // namespace
@@ -50,7 +52,7 @@ Result<Environment> readEnvironmentText(std::string text, const std::string& nam
     Result<Environment> environment = readHeadedText<Environment>(std::move(text), name, "wold-environment", complaints);
     if (!environment) return environment;
     checkShadows(environment->shadows, name, kept, complaints);
-    checkExposure(environment->autoExposure, name, kept, complaints);
+    checkOrder(*environment, name, kept, complaints);
     return environment;
 }
 Result<Template> readTemplateText(std::string text, const std::string& name, Complaints& complaints)

@@ -50,6 +50,12 @@ Environment fairWeather(const Environment& own)
     e.wind.direction = own.wind.direction;
     e.clouds.direction = own.clouds.direction;
     e.clouds.seed = own.clouds.seed;
+    // How a picture is made is no weather.
+    e.sky.method = own.sky.method;
+    e.clouds.kind = own.clouds.kind;
+    e.grading.antiAliasing = own.grading.antiAliasing;
+    e.grading.shading = own.grading.shading;
+    e.grading.dither = own.grading.dither;
     return e;
 }
 

@@ -49,6 +49,36 @@ float lampShadow(int firstFace, int faces, float texelAngle, vec3 fromLamp, vec3
     return sum / 16.0;
 }
 
+// What of a lamp reaches a place: its irradiance across the way, black where none does.
+struct LampRay {
+    vec3 light;
+    vec3 toward;     // unit
+    float distance2; // m2
+};
+
+// `normal` of the surface there, which its shadow goes by; 0 where there is none. `nearest`: what is so wide itself, m, has no place nearer.
+LampRay lampRay(int number, vec3 relative, vec3 normal, float nearest)
+{
+    int texel = number * LAMP_TEXELS;
+    vec4 place = texelFetch(lampTexels, texel);
+    LampRay ray = LampRay(vec3(0.0), vec3(0.0, 1.0, 0.0), 1.0);
+    vec3 to = place.xyz - relative;
+    ray.distance2 = dot(to, to);
+    if (ray.distance2 >= place.w * place.w) return ray;
+    ray.toward = to * inversesqrt(max(ray.distance2, 1e-8));
+    vec4 colour = texelFetch(lampTexels, texel + 1);
+    vec4 axis = texelFetch(lampTexels, texel + 2);
+    float strength = lampFalloff(max(ray.distance2, nearest * nearest), place.w) * lampCone(-dot(axis.xyz, ray.toward), colour.w, axis.w);
+    if (strength <= 0.0) return ray;
+    vec4 faces = texelFetch(lampTexels, texel + 3);
+    if (faces.y > 0.0) {
+        vec3 n = normal == vec3(0.0) ? ray.toward : normal;
+        strength *= lampShadow(int(faces.x), int(faces.y), faces.z, -to, n, clamp(dot(n, ray.toward), 0.0, 1.0));
+    }
+    ray.light = colour.rgb * strength;
+    return ray;
+}
+
 vec3 lampLight(Surface s, Reflector r, vec3 relative, vec3 toEye, vec2 pixel)
 {
     int cluster = lampCluster(relative, pixel);
@@ -56,22 +86,21 @@ vec3 lampLight(Surface s, Reflector r, vec3 relative, vec3 toEye, vec2 pixel)
     int count = int(texelFetch(lampLists, 2 * cluster + 1).r);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < count; ++i) {
-        int texel = int(texelFetch(lampLists, first + i).r) * LAMP_TEXELS;
-        vec4 place = texelFetch(lampTexels, texel);
-        vec3 to = place.xyz - relative;
-        float distance2 = dot(to, to);
-        if (distance2 >= place.w * place.w) continue;
-        vec3 l = to * inversesqrt(max(distance2, 1e-8));
-        vec4 colour = texelFetch(lampTexels, texel + 1);
-        vec4 axis = texelFetch(lampTexels, texel + 2);
-        float strength = lampFalloff(distance2, place.w) * lampCone(-dot(axis.xyz, l), colour.w, axis.w);
-        if (strength <= 0.0) continue;
-        vec4 faces = texelFetch(lampTexels, texel + 3);
-        if (faces.y > 0.0) {
-            float nol = clamp(dot(s.normal, l), 0.0, 1.0);
-            strength *= lampShadow(int(faces.x), int(faces.y), faces.z, -to, s.normal, nol);
-        }
-        sum += colour.rgb * strength * surfaceLight(s, r, toEye, l, max(distance2, kGlass) / (3.14159265 * kGlass));
+        LampRay ray = lampRay(int(texelFetch(lampLists, first + i).r), relative, s.normal, 0.0);
+        if (ray.light == vec3(0.0)) continue;
+        sum += ray.light * surfaceLight(s, r, toEye, ray.toward, max(ray.distance2, kGlass) / (3.14159265 * kGlass));
     }
+    return sum;
+}
+
+// Irradiance that reaches a puff of that radius from all lamps around it.
+vec3 lampsAround(vec3 relative, vec2 pixel, float radius)
+{
+    int cluster = lampCluster(relative, pixel);
+    int first = int(texelFetch(lampLists, 2 * cluster).r);
+    int count = int(texelFetch(lampLists, 2 * cluster + 1).r);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < count; ++i)
+        sum += lampRay(int(texelFetch(lampLists, first + i).r), relative, vec3(0.0), radius).light;
     return sum;
 }

@@ -1,6 +1,9 @@
 // One quad for each particle, turned to the eye; its light is found here, once for all of it.
 #include "haze.glsl"
 #include "lighting.glsl"
+#ifdef LAMPS
+#include "lamps.glsl"
+#endif
 #include "shared/particles.h"
 
 layout(std140, binding = PARTICLES_BINDING) uniform ParticlesBlock { ParticleSource sources[MOST_PARTICLE_SOURCES]; };
@@ -74,7 +77,11 @@ void main()
     towardSun = vec3(dot(light.towardSun, across) * mirror, dot(light.towardSun, along), dot(light.towardSun, toEye));
     tint = s.colour;
     vec4 clip = view.clipFromRelative * vec4(centre, 1.0);
-    Haze haze = hazeBefore(centre, clip.xy / max(clip.w, view.near) * 0.5 + 0.5);
+    vec2 place = clip.xy / max(clip.w, view.near) * 0.5 + 0.5;
+#ifdef LAMPS
+    skylight += lampsAround(centre, clamp(place, 0.0, 1.0) / view.texel, radius) * (0.25 / kPi); // scattered evenly
+#endif
+    Haze haze = hazeBefore(centre, place);
     hazeThrough = haze.through;
     hazeLight = max(haze.light, vec3(0.0));
 }

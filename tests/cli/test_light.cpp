@@ -72,7 +72,7 @@ const std::array<Stage, 12>& stages()
         {{"environment.auto_exposure.on=on", "environment.auto_exposure.highest=20", "environment.time=0"}, {"auto_exposure.darkness"}},
         {{"environment.auto_exposure.on=on"}, {"auto_exposure."}},
         {{"environment.water.on=on", "environment.water.level=1.5", "environment.water.waves=0.5", "environment.water.wavelength=6"}, {"water."}},
-        {{"render.cloud_kind=volume", "environment.clouds.coverage=0.6"}, {"clouds.thickness", "clouds.density"}},
+        {{"render.cloud_kind=volume", "environment.clouds.coverage=0.6"}, {"clouds.thickness", "clouds.density", "clouds.kind"}},
         {{"render.froxels=on", "environment.fog.density=0.004"}, {"fog.shafts"}},
         {{}, {""}},
     }};
@@ -211,7 +211,7 @@ void Light::lookAndKeep(const Stage& stage, std::span<const Field> own)
     ASSERT_EQ(ran.code, 0) << ran.err;
 
     std::map<std::string, io::Value> maps;
-    std::string looked = settled, kept = settled, switched; // what chooses goes last: others may then have nothing to say
+    std::string looked = settled, kept = settled, chosen, switched; // what chooses goes last, and what switches off after that: others may then have nothing to say
     for (const Field& field : own) {
         maps[field.key] = json(textOf(folder / (field.key + ".json")));
         const std::vector<Widget> widgets = widgetsOf(maps[field.key], field.label);
@@ -219,7 +219,8 @@ void Light::lookAndKeep(const Stage& stage, std::span<const Field> own)
         const std::string way = search(field.key), used = use(field, widgets.front());
         looked += way + "{\"shot\": \"" + folder / (field.key + "-0.png") + "\"}\n" + used + "{\"shot\": \"" + folder / (field.key + "-1.png") + "\"}\n{\"key\": \"Ctrl+Z\"}\n{\"wait\": 1}\n";
         const bool chooses = widgets.front().kind == "combo" || widgets.front().kind == "checkbox" || field.key == "shadows.cascades";
-        (chooses ? switched : kept) += search(field.key) + used;
+        const bool switches = field.key.ends_with(".on");
+        (switches ? switched : chooses ? chosen : kept) += search(field.key) + used;
     }
     ran = wold(words(stage, looked, true));
     ASSERT_EQ(ran.code, 0) << ran.err;
@@ -230,7 +231,7 @@ void Light::lookAndKeep(const Stage& stage, std::span<const Field> own)
     const std::string before = textOf(project + "/environments/day.json"), save = "{\"key\": \"Ctrl+S\"}\n{\"wait\": 3}\n";
     ASSERT_EQ(wold(words(stage, settled + save)).code, 0);
     const io::Value then = saved();
-    ran = wold(words(stage, kept + switched + save));
+    ran = wold(words(stage, kept + chosen + switched + save));
     ASSERT_EQ(ran.code, 0) << ran.err;
     const io::Value now = saved();
     for (const Field& field : own) {

@@ -288,6 +288,28 @@ double addedLight(test::TestWorld& world, renderer::FrameInput in)
     return sum;
 }
 
+// By night, all that smoke has beside what the sky still gives.
+TEST(Particles, SmokeIsLitByLampsWithinTheirRange)
+{
+    test::TestWorld world = groundWorld(0.01f);
+    world.scene.exchange(test::plainEnvironment(0, -20));
+    test::addObject(world, addSource(world, "smoke", smoke()), {});
+    renderer::FrameInput in = test::frame(kSize, kLook);
+    in.time = 5;
+    in.markers = false;
+    const double dark = addedLight(world, in);
+    const io::TemplateId lamp = world.scene.templateSlot("lamp");
+    world.scene.exchange(lamp, io::Template{.name = "lamp", .light = {.kind = io::LightKind::Point, .colour = {1, 1, 1}, .intensity = 2, .range = 8}});
+    world.assets.models.resize(world.scene.templates().size());
+    const io::ObjectId near = test::addObject(world, lamp, {.position = {1.5, 2, 0}});
+    const double lit = addedLight(world, in);
+    EXPECT_GT(lit, 20 * std::abs(dark) + 1e-4);
+    io::Object away = world.scene.at(near);
+    away.transform.position = {1.5, 2, 40};
+    world.scene.exchange(near, away);
+    EXPECT_NEAR(addedLight(world, in), dark, 0.02 * lit);
+}
+
 // Smoke far away in air is the colour of the air, as the wall behind it.
 TEST(Particles, SmokeStandsInTheAir)
 {

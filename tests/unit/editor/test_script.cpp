@@ -363,6 +363,10 @@ TEST(Properties, LimitsOfTheExposureMakeRoomForEachOther)
     const std::string exposure = "environment.auto_exposure.";
     const io::Status fault = setProperties(*document, {{exposure + "highest", "1"}, {exposure + "lowest", "2"}});
     EXPECT_EQ(fault ? "" : fault.error().text(), exposure + "highest: 1 EV must not be below lowest, 2 EV");
+    ASSERT_TRUE(setProperty(*document, "environment.sky.mie_extinction", 2));
+    EXPECT_EQ(document->scene().environment().sky.mieScattering, 2);
+    ASSERT_TRUE(setProperty(*document, "environment.sky.mie_scattering", 6));
+    EXPECT_EQ(document->scene().environment().sky.mieExtinction, 6);
 }
 
 TEST(Script, DeletesATemplateWithItsObjectsOrRefuses)

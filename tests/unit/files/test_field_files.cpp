@@ -30,7 +30,7 @@ TEST(EnvironmentFile, ReadsWell)
     EXPECT_NE(text.find("    \"irradiance\": [1,1,1],\n    \"angular_diameter\": 0.53,\n    \"corona\": 1.50\n  },\n"),
               std::string::npos)
         << text;
-    EXPECT_TRUE(text.ends_with("    \"grain\": 0\n  },\n  \"aurora\": {\"strength\":2}\n}\n")) << text;
+    EXPECT_TRUE(text.ends_with("    \"shading\": \"pbr\"\n  },\n  \"aurora\": {\"strength\":2}\n}\n")) << text;
 }
 
 TEST(EnvironmentFile, ComesBackAsItWas)
@@ -110,6 +110,15 @@ TEST(EnvironmentFile, LimitsOfTheExposureAreInOrder)
     EXPECT_EQ(listed(complaints), "e.json:6: auto_exposure.highest: 3 EV must not be below lowest, 12 EV\n");
     EXPECT_EQ(read->autoExposure.lowest, 12);
     EXPECT_EQ(read->autoExposure.highest, 12);
+}
+
+TEST(EnvironmentFile, HazeScattersNoMoreThanItTakesAway)
+{
+    Complaints complaints;
+    const Result<Environment> read = readEnvironmentText(environmentWith("\"sky\": {\n\"mie_scattering\": 8,\n\"mie_extinction\": 5}"), "e.json", complaints);
+    EXPECT_EQ(listed(complaints), "e.json:6: sky.mie_extinction: 5 1e-6/m must not be below mie_scattering, 8 1e-6/m\n");
+    EXPECT_EQ(read->sky.mieScattering, 8);
+    EXPECT_EQ(read->sky.mieExtinction, 8);
 }
 
 TEST(EnvironmentFile, RainAndSnowGoAsFarAsTheyAct)
