@@ -61,7 +61,7 @@ Settings Settings::load(const fs::path& file)
     if (fs::exists(file, ignored)) {
         auto value = read(file);
         if (value)
-            settings.m_values = settings.m_saved = *std::move(value);
+            settings.m_values = settings.m_saved = *std::move(value), settings.complain();
         else
             setAside(file, value.error());
     }
@@ -70,6 +70,22 @@ Settings Settings::load(const fs::path& file)
         settings.save();
     }
     return settings;
+}
+
+// They stay in the file, and the usual ones hold.
+void Settings::complain() const
+{
+    const auto say = [&](const char* key, const char* wanted) { io::log::warning("{}: {}: {}; the usual one is used", m_file.string(), key, wanted); };
+    const auto wrong = [](const io::Value* value, auto right) { return value && !value->isNull() && !right(*value); };
+    const auto isText = [](const io::Value& value) { return value.asString() != nullptr; };
+    const auto isNumber = [](const io::Value& value) { return value.asNumber() && std::isfinite(*value.asNumber()); };
+    if (wrong(m_values.find("language"), isText)) say("language", "the code of a language is wanted, as \"en\"");
+    if (wrong(m_values.find("quality"), [](const io::Value& value) { return value.asString() && qualityNamed(*value.asString()); })) say("quality", "auto, low, medium, high or ultra is wanted");
+    if (wrong(m_values.find("recent"), [](const io::Value& value) { return value.asArray() != nullptr; })) say("recent", "a list of projects is wanted");
+    const io::Value* ui = m_values.find("ui");
+    if (wrong(ui, [](const io::Value& value) { return value.asObject() != nullptr; })) return say("ui", "an object is wanted");
+    for (const char* key : {"scale", "frame_rate"})
+        if (ui && wrong(ui->find(key), isNumber)) say((std::string{"ui."} + key).c_str(), "a number is wanted");
 }
 
 std::string Settings::language() const

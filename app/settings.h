@@ -36,6 +36,7 @@ public:
 
 private:
     std::optional<double> ui(std::string_view key) const; // a finite number of "ui"
+    void complain() const; // of values that are not used as they are
     void setUi(std::string_view key, io::Value value);
 
     io::Value m_values; // the whole file, so that keys of a newer version survive

@@ -23,18 +23,34 @@ io::Result<io::Value> readLanguage(const std::string& code)
     return io::parseJson(*bytes, file.string());
 }
 
-io::Value english()
+struct BuiltIn {
+    const char* code;
+    const char* const& json;
+};
+const BuiltIn kBuiltIn[]{{"en", kEnglish}, {"cs", kCzech}};
+
+void writeWhereMissing()
 {
-    const fs::path file = io::resource(kFolder) / "en.json";
-    std::error_code ignored;
-    if (!fs::exists(file, ignored)) {
+    for (const BuiltIn& language : kBuiltIn) {
+        const fs::path file = io::resource(kFolder) / (std::string{language.code} + ".json");
+        std::error_code ignored;
+        if (fs::exists(file, ignored)) continue;
         fs::create_directories(file.parent_path(), ignored);
-        if (const io::Status written = io::writeFile(file, kEnglish); written) io::log::info("{}: was missing and is written anew", file.string());
-        else io::log::warning("{}; the texts are those that were built in", written.error().text());
+        if (const io::Status written = io::writeFile(file, language.json); written) io::log::info("{}: was missing and is written anew", file.string());
+        else io::log::warning("{}; its texts are those that were built in", written.error().text());
     }
-    if (auto own = readLanguage("en")) return *std::move(own);
-    else if (fs::exists(file, ignored)) io::log::warning("{}; the texts are those that were built in", own.error().text());
-    return *io::parseJson(kEnglish, "English");
+}
+
+// Of a file that cannot be read, or could not be written.
+io::Result<io::Value> textsOf(const std::string& code)
+{
+    auto own = readLanguage(code);
+    std::error_code ignored;
+    const bool there = fs::exists(io::resource(kFolder) / (code + ".json"), ignored);
+    if (own || (there && code != "en")) return own;
+    if (there) io::log::warning("{}; the texts are those that were built in", own.error().text());
+    const auto* found = std::ranges::find_if(kBuiltIn, [&](const BuiltIn& language) { return language.code == code; });
+    return found == std::end(kBuiltIn) ? own : io::parseJson(found->json, code);
 }
 
 std::string ownName(const io::Value& language, const std::string& code)
@@ -81,11 +97,13 @@ std::vector<editor::Language> languages()
 io::Status useLanguage(const std::string& code)
 {
     if (!isCode(code)) return io::Error{code, "is no name of a language"};
-    io::Value under = english();
-    if (code == "en") return editor::setTexts(under), io::Status{};
-    const auto chosen = readLanguage(code);
+    writeWhereMissing();
+    auto english = textsOf("en");
+    if (!english) return english.error();
+    if (code == "en") return editor::setTexts(*english), io::Status{};
+    const auto chosen = textsOf(code);
     if (!chosen) return chosen.error();
-    editor::setTexts(merged(std::move(under), *chosen));
+    editor::setTexts(merged(*std::move(english), *chosen));
     return {};
 }
 

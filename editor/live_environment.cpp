@@ -11,12 +11,7 @@
 namespace editor {
 namespace {
 
-constexpr double kSecondsAnHour = 3600, kHoursADay = 24;
-
-int daysIn(int year)
-{
-    return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0 ? 366 : 365;
-}
+constexpr double kSecondsAnHour = 3600;
 
 // Where sun and moon stand, whoever says so: between an hour and a place by hand there is no other way.
 io::Environment placedByHand(io::Environment environment)
@@ -99,15 +94,7 @@ io::Environment LiveEnvironment::turned(const io::Environment& own) const
 
 io::Environment LiveEnvironment::withHours(io::Environment environment) const
 {
-    const double hours = double(environment.time) + m_hours;
-    const double days = std::floor(hours / kHoursADay);
-    environment.time = float(hours - days * kHoursADay);
-    environment.dayOfYear += int(days);
-    while (environment.dayOfYear > daysIn(environment.year)) {
-        environment.dayOfYear -= daysIn(environment.year);
-        ++environment.year;
-    }
-    return environment;
+    return io::hoursLater(std::move(environment), m_hours);
 }
 
 } // namespace editor

@@ -113,13 +113,13 @@ void Session::step(const Wish& wish, bool otherEye)
     carry();
     const glm::dvec3 before = m_walker.feet();
     m_walker.step(wish, m_surroundings);
-    const double walked = m_walker.grounded() ? glm::length(m_walker.feet() - before) : 0;
+    m_walked = m_walker.grounded() ? glm::length(m_walker.feet() - before) : 0;
     m_stoodOn = m_walker.ground();
     stand();
     push();
     moveBodies();
     carry();
-    stepSounds(walked);
+    stepSounds(m_walked);
     trigger();
     m_eyeNow = m_walker.eye() + fixedAt();
     m_stoodOn = m_walker.ground();
@@ -260,6 +260,8 @@ void Session::show(const std::string& name, bool shown)
             if (meant(object)) change(object.id, object), m_bodies.follow(object.id);
             else m_hidden.push_back(object);
         }
+        // What appears where the player is pushes it out.
+        if (m_walker.depth(m_surroundings) > 0.01 || m_surroundings.buried(m_walker.centre())) m_walker.put(m_walker.feet(), m_walker.yaw(), m_walker.pitch(), m_surroundings);
         return;
     }
     std::vector<io::Object> gone;

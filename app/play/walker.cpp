@@ -228,6 +228,7 @@ Walker::Slid Walker::slide(glm::dvec3 at, glm::dvec3 motion, glm::dvec3 velocity
         // On a floor the way along it is as long seen from above.
         if (glm::dot(level(motion), level(wanted)) < 0 && walking) motion = {0, 0, 0};
         velocity = along(velocity, planes);
+        if (walking && glm::dot(motion, motion) < 1e-14) velocity = {0, 0, 0}; // in a corner one stands, also in a wide one
     }
     return {pushedOut(at), velocity, blocked};
 }

@@ -34,6 +34,8 @@ void PlayView::begin(const PlayBegin& begin)
     m_time = m_seconds = 0;
     m_clock = {};
     m_now.reset();
+    m_look.reset();
+    m_hours = 0;
     m_coming.reset();
     m_trod.clear();
     m_shapes.reset();
@@ -41,12 +43,13 @@ void PlayView::begin(const PlayBegin& begin)
     m_messages = {{editor::tr(begin.alone ? "play.hint_alone" : "play.hint"), kHintStays}};
     m_controls = play::Controls{begin.document->project().controls};
     m_session.emplace(begin.document->scene(), begin.document->assets(), begin.cameras->named(editor::kEditCamera), begin.fromMarker);
-    m_before = m_session->walker().feet();
+    m_walked = 0;
+    m_due.clear();
     m_heard = {.everything = true};
     if (begin.repeatable) return;
     m_sound.emplace(begin.document->project().folder);
     setLevels(*m_sound, begin.sound);
-    if (begin.picker) m_sound->setBlocked(blockedBy(*begin.picker));
+    if (begin.picker) m_sound->setBlocked(blockedBy(*begin.picker, [this](io::ObjectId id) { return m_session && m_session->changed(id); }));
 }
 
 void PlayView::run(double seconds)
@@ -64,6 +67,7 @@ play::Held PlayView::held() const
 void PlayView::step(const play::Wish& wish)
 {
     m_session->step(wish, m_controls.pressed("eye"));
+    m_walked += m_session->walked();
     for (const play::Event& event : m_session->events())
         take(event);
     for (Trod& trod : m_trod)
@@ -72,12 +76,23 @@ void PlayView::step(const play::Wish& wish)
         m_trod.pop_front();
     const play::Walker& walker = m_session->walker();
     if (walker.grounded() && (m_trod.empty() || glm::distance(m_trod.back().at, walker.feet()) > kTrodApart)) m_trod.push_back({walker.feet()});
+    passLight();
+}
+
+// What light does by itself: a look comes, and the day goes on from it.
+void PlayView::passLight()
+{
     if (m_coming) {
         m_coming->passed += play::kStep;
         const double share = m_coming->seconds <= 0 ? 1 : std::min(m_coming->passed / m_coming->seconds, 1.0);
-        m_now = io::mixed(m_coming->from, m_coming->to, share);
+        m_look = io::mixed(m_coming->from, m_coming->to, share);
         if (share >= 1) m_coming.reset();
     }
+    const io::Environment& own = m_look ? *m_look : m_session->scene().environment();
+    m_now = m_look;
+    if (!own.dayRuns) return;
+    m_hours += play::kStep * double(own.daySpeed) / 3600;
+    m_now = io::hoursLater(own, m_hours);
 }
 
 void PlayView::take(const play::Event& event)
@@ -86,11 +101,11 @@ void PlayView::take(const play::Event& event)
     if (event.kind == play::Event::Kind::Message) {
         m_messages.push_back({event.what, double(event.seconds)});
     } else if (event.kind == play::Event::Kind::Sound) {
-        if (m_sound) m_sound->play(event.what, event.at, 30);
+        m_due.push_back({event.what, event.at});
     } else if (event.kind == play::Event::Kind::Look) {
         io::Complaints ignored;
         io::Result<io::Environment> look = io::lookNamed(event.what, now, io::KeptLooks{io::looksFolder()}, ignored);
-        if (look) m_coming = Coming{now, *std::move(look), double(event.seconds)};
+        if (look) m_coming = Coming{now, *std::move(look), double(event.seconds)}, m_look = m_coming->from, m_hours = 0;
         else io::log::warning("a trigger's look {}: {}", event.what, look.error().text());
     }
 }
@@ -106,9 +121,9 @@ void PlayView::hear(double seconds)
                      .seconds = seconds,
                      .now = m_now ? &*m_now : nullptr});
     m_heard = {};
-    const double walked = walker.grounded() ? glm::length(walker.feet() - m_before) : 0;
-    m_sound->walk(m_session->scene(), {.at = walker.feet(), .walked = walked, .speed = float(glm::length(walker.velocity())), .on = m_session->standsOn()});
-    m_before = walker.feet();
+    for (const Due& due : std::exchange(m_due, {}))
+        m_sound->play(due.file, due.at, 30);
+    m_sound->walk(m_session->scene(), {.at = walker.feet(), .walked = std::exchange(m_walked, 0), .speed = float(glm::length(walker.velocity())), .on = m_session->standsOn()});
     for (const io::Complaint& notice : m_sound->takeNotices())
         io::log::warning("{}: {}", notice.where, notice.what);
 }

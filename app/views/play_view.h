@@ -61,6 +61,7 @@ private:
     };
     play::Held held() const;
     void step(const play::Wish& wish);
+    void passLight();
     void take(const play::Event& event);
     void hear(double seconds);
     std::vector<renderer::Presser> pressers() const;
@@ -76,7 +77,9 @@ private:
     play::Controls m_controls;
     std::optional<Sound> m_sound;
     io::Changes m_heard; // changes that the sound has not been told
-    std::optional<io::Environment> m_now; // in place of the scene's, once a look came
+    std::optional<io::Environment> m_look; // in place of the scene's, once one came
+    std::optional<io::Environment> m_now;  // the same, at the hour that it has become; none: as the scene's
+    double m_hours = 0;                    // that the day has gone on since that look, or the beginning
     std::optional<Coming> m_coming;
     std::deque<Trod> m_trod;
     std::deque<Message> m_messages;
@@ -85,7 +88,12 @@ private:
     play::StepClock m_clock;
     double m_time = 0;
     double m_scale = 1; // of the picture's sides, to keep up
-    glm::dvec3 m_before{0}; // feet at the last frame
+    double m_walked = 0;    // m, since the last frame
+    struct Due {
+        std::string file;
+        glm::dvec3 at{0};
+    };
+    std::vector<Due> m_due; // sounds of this frame's steps: they wait until it is known where the ear is
     std::optional<play::ShapeLines> m_shapes; // while they are shown
     std::vector<renderer::Line> m_lines;
     std::vector<io::Moved> m_between; // things that are drawn between the last two steps

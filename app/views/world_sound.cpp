@@ -1,5 +1,8 @@
 #include "app/views/world_sound.h"
 
+#include <utility>
+#include <vector>
+
 namespace app {
 
 void setLevels(Sound& sound, const editor::SoundSettings& settings)
@@ -9,14 +12,20 @@ void setLevels(Sound& sound, const editor::SoundSettings& settings)
         sound.setVolume(io::SoundGroup(i), settings.groups[i]);
 }
 
-SoundBlocked blockedBy(const editor::Picker& picker)
+SoundBlocked blockedBy(const editor::Picker& picker, std::function<bool(io::ObjectId)> gone)
 {
-    return [&picker](const glm::dvec3& ear, const glm::dvec3& sound, io::ObjectId object) {
+    return [&picker, gone = std::move(gone)](const glm::dvec3& ear, const glm::dvec3& sound, io::ObjectId object) {
         constexpr double kClose = 0.5; // m; a thing does not muffle what sounds on its own surface
         const double distance = glm::distance(ear, sound);
         if (distance <= 2 * kClose) return false;
         const io::Ray ray{ear, (sound - ear) / distance};
-        return bool(picker.pick(ray, {.skip = {&object, 1}, .maxDistance = distance - kClose}));
+        std::vector<io::ObjectId> skipped{object};
+        constexpr std::size_t kMostSkipped = 8;
+        while (const editor::PickHit hit = picker.pick(ray, {.skip = skipped, .maxDistance = distance - kClose})) {
+            if (hit.id == io::ObjectId::None || !gone || !gone(hit.id) || skipped.size() > kMostSkipped) return true;
+            skipped.push_back(hit.id);
+        }
+        return false;
     };
 }
 

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -14,8 +15,8 @@ namespace app {
 
 void setLevels(Sound& sound, const editor::SoundSettings& settings);
 
-// By what a ray from the ear meets; the picker must outlive it.
-SoundBlocked blockedBy(const editor::Picker& picker);
+// By what a ray from the ear meets; the picker must outlive it. `gone`: what does not stand any more where the picker has it.
+SoundBlocked blockedBy(const editor::Picker& picker, std::function<bool(io::ObjectId)> gone = {});
 
 class WorldSound {
 public:

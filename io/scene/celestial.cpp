@@ -100,6 +100,20 @@ double hourAngle(const Environment& e)
     return turned(minutes / 4) - 180; // a whole turn more or less is none
 }
 
+Environment hoursLater(Environment environment, double hours)
+{
+    constexpr double kHoursADay = 24;
+    const auto daysIn = [](int year) { return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0 ? 366 : 365; };
+    const double then = double(environment.time) + hours, days = std::floor(then / kHoursADay);
+    environment.time = float(then - days * kHoursADay);
+    environment.dayOfYear += int(days);
+    while (environment.dayOfYear > daysIn(environment.year)) {
+        environment.dayOfYear -= daysIn(environment.year);
+        ++environment.year;
+    }
+    return environment;
+}
+
 glm::dvec3 towardSun(const Environment& e)
 {
     if (e.sun.mode == SunMode::Manual) return direction(e.sun.azimuth, e.sun.elevation);

@@ -168,6 +168,7 @@ struct Environment {
     float latitude = 49;  // degrees, north positive
     float longitude = 0;  // degrees, east positive
     float daySpeed = 60;  // seconds of the world in each second while the day runs
+    bool dayRuns = false; // while somebody plays
     float exposure = 3.3f; // EV: the picture is multiplied by 2^exposure before tone mapping
     AutoExposure autoExposure;
     Sun sun;
@@ -188,5 +189,8 @@ struct Environment {
 
 // Unit vector towards the sun, from the hour, the day and the latitude or by hand.
 glm::dvec3 towardSun(const Environment& environment);
+
+// So many hours of the clock later, also on another day or in another year.
+Environment hoursLater(Environment environment, double hours);
 
 } // namespace io

@@ -87,6 +87,7 @@ Environment withLook(const Environment& own, const Environment& look)
     e.latitude = own.latitude;
     e.longitude = own.longitude;
     e.daySpeed = own.daySpeed;
+    e.dayRuns = own.dayRuns;
     e.sky.planetRadius = own.sky.planetRadius;
     e.sky.airDepth = own.sky.airDepth;
     e.sky.groundAlbedo = own.sky.groundAlbedo;

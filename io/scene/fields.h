@@ -208,6 +208,7 @@ void fields(auto& v, Of<Environment> auto& e)
     v("latitude", e.latitude, Hint{.min = -90, .max = 90, .unit = "deg"});
     v("longitude", e.longitude, Hint{.min = -180, .max = 180, .unit = "deg"});
     v("day_speed", e.daySpeed, Hint{.min = 0, .max = 86400, .unit = "x", .style = Style::Logarithmic});
+    v("day_runs", e.dayRuns, Hint{});
     v("exposure", e.exposure, Hint{.min = -20, .max = 20, .unit = "EV"});
     v("auto_exposure", e.autoExposure, Hint{});
     v("sun", e.sun, Hint{});

@@ -52,7 +52,7 @@ void PrecipitationPass::render(GpuFrame& gpu, Radiance& radiance, const GBuffer&
     if (!settings.particles || (weather.rain <= 0 && weather.snow <= 0) || under) return;
     const auto scope = gpu.scope("rain and snow");
     if (!m_none.id()) m_none = gl::VertexArray{"rain and snow"};
-    std::vector<std::string> defines;
+    std::vector<std::string> defines = lightingDefines(viewpoint, settings);
     addHaze(defines, viewpoint);
     const gl::Program& program = m_shaders.program(
         {.label = "rain and snow", .stages = {"precipitation.vert.glsl", "precipitation.frag.glsl"}, .defines = std::move(defines)});

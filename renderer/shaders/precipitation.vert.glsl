@@ -1,8 +1,11 @@
 // A streak for each drop, along the way that it falls in the time that an eye takes; a small quad for each flake.
 #include "haze.glsl"
+#include "lighting.glsl"
+#ifdef LAMPS
+#include "lamps.glsl"
+#endif
 #include "shared/particles.h"
 #include "shared/precipitation.h"
-#include "view.glsl"
 
 layout(std140, binding = PARTICLES_BINDING) uniform PrecipitationBlock { Precipitation falling; };
 
@@ -43,12 +46,21 @@ void main()
     // A drop shows the sky upside down, a flake is white. What is thinner than a pixel covers less of it.
     vec3 sky = skyIrradiance(vec3(0.0, 1.0, 0.0)) * light.ambient;
     float ahead = pow(clamp(-dot(toEye, light.towardSun), 0.0, 1.0), 8.0);
-    vec3 lit = snow ? 0.85 * (0.75 * sky + 0.12 * light.sunIrradiance) : sky * 1.1 + light.sunIrradiance * (0.03 + 0.6 * ahead);
+    float seen = sunVisibility(at, toEye);
+#ifdef CLOUD_SHADOWS
+    seen *= cloudShadow(at);
+#endif
+    vec3 sun = sunAt(at) * seen;
+    vec3 lit = snow ? 0.85 * (0.75 * sky + 0.12 * sun) : sky * 1.1 + sun * (0.03 + 0.6 * ahead);
     float thin = size / drawn;
     float ends = smoothstep(snow ? 0.15 : 1.5, snow ? 0.6 : 5.0, away) * (1.0 - smoothstep(0.38 * side, 0.5 * side, away));
     light_ = vec4(lit, falling.opacity * ends * (snow ? max(thin * thin, 0.15) : thin));
     shape = snow ? vec2(particleRandom(seed, 7u) * 6.2831853, particleRandom(seed, 8u)) : vec2(0.0, -1.0);
     vec4 clip = view.clipFromRelative * vec4(at, 1.0);
-    Haze haze = hazeBefore(at, clip.xy / max(clip.w, view.near) * 0.5 + 0.5);
+    vec2 place = clip.xy / max(clip.w, view.near) * 0.5 + 0.5;
+#ifdef LAMPS
+    light_.rgb += lampsAround(at, clamp(place, 0.0, 1.0) / view.texel, 0.1) * (snow ? 0.1 : 0.05);
+#endif
+    Haze haze = hazeBefore(at, place);
     fog = vec4(max(haze.light, vec3(0.0)), haze.through.g);
 }

@@ -89,7 +89,7 @@ const Stage& stageOf(const Field& field)
 // These say how something goes on, not what a picture shows.
 bool showsOnlyInTime(const Field& field)
 {
-    return field.key == "day_speed" || field.key == "auto_exposure.seconds" || field.key == "clouds.speed" || field.key == "clouds.direction" ||
+    return field.key == "day_speed" || field.key == "day_runs" || field.key == "auto_exposure.seconds" || field.key == "clouds.speed" || field.key == "clouds.direction" ||
            field.key == "clouds.change" || field.key == "wind.gustiness";
 }
 
@@ -108,7 +108,7 @@ std::vector<Widget> widgetsOf(const io::Value& map, const std::string& label)
     for (const io::Value& item : *map.asArray()) {
         const std::string own = text(item, "label"), kind = text(item, "kind");
         const bool edits = kind == "number" || kind == "combo" || kind == "checkbox" || kind == "colour";
-        if (text(item, "panel") != "environment" || !edits || (own != label && own != label + " X")) continue;
+        if (text(item, "panel") != "environment" || !edits || (own != label && own != label + " X" && own != label + " Y" && own != label + " Z")) continue;
         Widget widget{.kind = kind};
         if (const io::Value* value = item.find("value")) {
             if (value->asString()) widget.value = *value->asString();
@@ -211,13 +211,20 @@ void Light::lookAndKeep(const Stage& stage, std::span<const Field> own)
     ASSERT_EQ(ran.code, 0) << ran.err;
 
     std::map<std::string, io::Value> maps;
+    std::map<std::string, std::size_t> counts;
     std::string looked = settled, kept = settled, chosen, switched; // what chooses goes last, and what switches off after that: others may then have nothing to say
     for (const Field& field : own) {
         maps[field.key] = json(textOf(folder / (field.key + ".json")));
         const std::vector<Widget> widgets = widgetsOf(maps[field.key], field.label);
         ASSERT_FALSE(widgets.empty()) << field.key;
-        const std::string way = search(field.key), used = use(field, widgets.front());
-        looked += way + "{\"shot\": \"" + folder / (field.key + "-0.png") + "\"}\n" + used + "{\"shot\": \"" + folder / (field.key + "-1.png") + "\"}\n{\"key\": \"Ctrl+Z\"}\n{\"wait\": 1}\n";
+        const std::string way = search(field.key);
+        std::string used;
+        counts[field.key] = widgets.size(); // three where each axis has its own
+        for (std::size_t i = 0; i < widgets.size(); ++i) {
+            const std::string one = use(field, widgets[i]), file = field.key + std::to_string(i);
+            looked += way + "{\"shot\": \"" + folder / (file + "-0.png") + "\"}\n" + one + "{\"shot\": \"" + folder / (file + "-1.png") + "\"}\n{\"key\": \"Ctrl+Z\"}\n{\"wait\": 1}\n";
+            used += one;
+        }
         const bool chooses = widgets.front().kind == "combo" || widgets.front().kind == "checkbox" || field.key == "shadows.cascades";
         const bool switches = field.key.ends_with(".on");
         (switches ? switched : chooses ? chosen : kept) += search(field.key) + used;
@@ -226,7 +233,10 @@ void Light::lookAndKeep(const Stage& stage, std::span<const Field> own)
     ASSERT_EQ(ran.code, 0) << ran.err;
     for (const Field& field : own) {
         if (showsOnlyInTime(field)) continue;
-        EXPECT_GT(changedPixels(folder / (field.key + "-0.png"), folder / (field.key + "-1.png"), viewportOf(maps[field.key])), 20) << field.key;
+        for (std::size_t i = 0; i < counts[field.key]; ++i) {
+            const std::string file = field.key + std::to_string(i);
+            EXPECT_GT(changedPixels(folder / (file + "-0.png"), folder / (file + "-1.png"), viewportOf(maps[field.key])), 20) << file;
+        }
     }
     const std::string before = textOf(project + "/environments/day.json"), save = "{\"key\": \"Ctrl+S\"}\n{\"wait\": 3}\n";
     ASSERT_EQ(wold(words(stage, settled + save)).code, 0);
@@ -238,6 +248,8 @@ void Light::lookAndKeep(const Stage& stage, std::span<const Field> own)
         const io::Value *a = valueAt(now, field.key), *b = valueAt(then, field.key);
         ASSERT_TRUE(a && b) << field.key;
         EXPECT_FALSE(*a == *b) << field.key;
+        for (std::size_t i = 0; counts[field.key] > 1 && i < counts[field.key]; ++i)
+            EXPECT_FALSE((*a->asArray())[i] == (*b->asArray())[i]) << field.key << " " << i;
     }
     folder.write("world/environments/day.json", before);
 }
@@ -253,6 +265,42 @@ TEST_F(Light, EachWidgetOfTheEnvironmentChangesPictureAndFile)
         for (std::size_t first = 0; first < staged.size(); first += kAtOnce)
             lookAndKeep(stage, std::span{staged}.subspan(first, std::min(kAtOnce, staged.size() - first)));
     }
+}
+
+// What shows only as time passes: the same half second with and without the widget used.
+TEST_F(Light, WidgetsOfWhatDriftsChangeThePictureInTime)
+{
+    const std::vector<Field> all = environmentFields();
+    const Stage stage{{"environment.clouds.coverage=0.5", "environment.clouds.speed=60", "environment.clouds.change=30", "environment.clouds.direction=10"}, {}};
+    const std::string settled = "{\"wait\": 3}\n{\"click\": {\"kind\": \"tab\", \"label\": \"Environment\"}}\n{\"wait\": 2}\n";
+    const auto later = [&](const std::string& file) { return "{\"key\": \"F4\"}\n{\"wait\": 30}\n{\"shot\": \"" + folder / file + "\"}\n"; };
+    for (const char* key : {"clouds.speed", "clouds.direction", "clouds.change"}) {
+        const Field field = *std::ranges::find(all, key, &Field::key);
+        Ran ran = wold(words(stage, settled + search(key) + "{\"uimap\": \"" + folder / "map.json" + "\"}\n" + later("without.png"), true));
+        ASSERT_EQ(ran.code, 0) << ran.err;
+        const io::Value map = json(textOf(folder / "map.json"));
+        const std::vector<Widget> widgets = widgetsOf(map, field.label);
+        ASSERT_FALSE(widgets.empty()) << key;
+        ran = wold(words(stage, settled + search(key) + use(field, widgets.front()) + later("with.png"), true));
+        ASSERT_EQ(ran.code, 0) << ran.err;
+        EXPECT_GT(changedPixels(folder / "without.png", folder / "with.png", viewportOf(map)), 20) << key;
+    }
+}
+
+TEST_F(Light, TheDialTakesTheSunAlong)
+{
+    const std::string settled = "{\"wait\": 3}\n{\"click\": {\"kind\": \"tab\", \"label\": \"Environment\"}}\n{\"wait\": 2}\n";
+    const std::string dial = "{\"panel\": \"environment\", \"kind\": \"dial\", \"offset\": ";
+    const std::string drag = "{\"drag\": {\"from\": " + dial + "[0, -30]}, \"to\": " + dial + "[30, 0]}, \"steps\": 4}}\n{\"wait\": 2}\n";
+    const Stage plain{};
+    const Ran ran = wold(words(plain, settled + "{\"uimap\": \"" + folder / "map.json" + "\"}\n{\"shot\": \"" + folder / "before.png" + "\"}\n" + drag + "{\"shot\": \"" + folder / "after.png" +
+                                          "\"}\n{\"key\": \"Ctrl+S\"}\n{\"wait\": 3}\n", true));
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_GT(changedPixels(folder / "before.png", folder / "after.png", viewportOf(json(textOf(folder / "map.json")))), 1000);
+    const io::Value now = saved();
+    EXPECT_EQ(text(*now.find("sun"), "mode"), "manual");
+    EXPECT_NEAR(number(*now.find("sun"), "azimuth"), 90, 3); // east is right
+    EXPECT_GT(number(*now.find("sun"), "elevation"), 20);
 }
 
 } // namespace

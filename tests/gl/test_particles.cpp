@@ -380,6 +380,30 @@ TEST(Rain, AddsStreaksByItsRateAndNoneAtNone)
     EXPECT_GT(snow, 2 * flurry);
 }
 
+// Under clouds that take the sun away flakes are no brighter than snowy ground; the same in the shadow of a roof.
+TEST(Rain, FlakesAreLitAsTheGroundIs)
+{
+    const auto brighter = [](float shadow, bool roof) {
+        test::TestWorld world = groundWorld(0.8f);
+        io::Environment environment = test::plainEnvironment(135, 45);
+        environment.clouds = {.coverage = 1, .thickness = 3000, .shadow = shadow};
+        environment.weather.snow = 5;
+        world.scene.exchange(environment);
+        if (roof) test::addObject(world, test::addTemplate(world, "roof", test::box({200, 1, 200}, {0.02f, 0.02f, 0.02f, 1})), {.position = {0, 60, 0}});
+        const io::Camera down{.eye = {0, 30, 0}, .pitch = -60, .fov = 50};
+        const io::Image with = pictureOf(world, 5, true, down), without = pictureOf(world, 5, false, down);
+        std::vector<double> more;
+        for (int i = 0; i < kSize.x * kSize.y; ++i)
+            if (const double ground = double(without.row<glm::vec3>(0)[i].y), seen = double(with.row<glm::vec3>(0)[i].y); std::abs(seen - ground) > 1e-5) more.push_back(seen / ground);
+        EXPECT_GT(more.size(), 50u);
+        std::ranges::sort(more);
+        return more.empty() ? 0 : more[more.size() * 99 / 100];
+    };
+    const double open = brighter(0, false);
+    EXPECT_LT(brighter(1, false), 1.4 * open);
+    EXPECT_LT(brighter(0, true), 1.6 * open);
+}
+
 TEST(Rain, FallsTheSameAtTheSameTimeAndStaysInTheWorldAsTheEyeMoves)
 {
     const io::Wind wind{.speed = 3, .direction = 90};

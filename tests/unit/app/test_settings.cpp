@@ -56,6 +56,18 @@ TEST_F(SettingsTest, valuesOfTheWrongTypeFallBack)
     EXPECT_TRUE(settings.recentProjects().empty());
 }
 
+TEST_F(SettingsTest, valuesThatAreNotUsedAreNamed)
+{
+    write(R"({"language": 7, "quality": "best", "ui": {"scale": "big", "frame_rate": 30}, "recent": []})");
+    testing::internal::CaptureStderr();
+    (void)Settings::load(file);
+    const std::string said = testing::internal::GetCapturedStderr();
+    for (const char* key : {"settings.json: language: ", "settings.json: quality: ", "settings.json: ui.scale: "})
+        EXPECT_NE(said.find(key), said.npos) << key << said;
+    EXPECT_EQ(said.find("frame_rate"), said.npos) << said;
+    EXPECT_EQ(said.find("recent"), said.npos) << said;
+}
+
 TEST_F(SettingsTest, unknownKeysSurvive)
 {
     write(R"({"language": "en", "keys_of_tomorrow": {"save": "Ctrl+S"}})");

@@ -41,6 +41,7 @@ TEST_F(Translator, AMissingEnglishIsWritten)
     EXPECT_STREQ(editor::tr("dialog.cancel"), "Cancel");
     unsetenv("WOLD_RESOURCES");
     EXPECT_EQ(text(english), kEnglish);
+    EXPECT_EQ(text(english.parent_path() / "cs.json"), kCzech);
 }
 
 TEST_F(Translator, ABrokenEnglishIsLeftAloneAndTheTextsAreThere)

@@ -157,6 +157,36 @@ TEST(Session, PlantedTriggersActToo)
     EXPECT_EQ(heard, 1);
 }
 
+TEST(Session, WhatAppearsAroundThePlayerPushesItOut)
+{
+    for (const io::Collision collision : {io::Collision::Mesh, io::Collision::Box, io::Collision::Hull}) {
+        test::Stage stage;
+        stage.setGround([](double, double) { return 0.0; });
+        const io::ObjectId block = stage.place(stage.addBox({6, 5, 6}, collision), {0, 0, -10});
+        io::Object named = stage.scene.at(block);
+        named.name = "block";
+        stage.scene.exchange(block, named);
+        const auto trigger = [&](const char* name, io::TriggerDo what, double z) {
+            const io::TemplateId id = stage.scene.templateSlot(name);
+            stage.scene.exchange(id, io::Template{.name = name, .trigger = {.shape = io::TriggerShape::Sphere, .size = glm::vec3{2}, .actions = {{.action = what, .what = "block"}}}});
+            stage.place(id, {0, 1, z});
+        };
+        trigger("away", io::TriggerDo::Hide, -1);
+        trigger("back", io::TriggerDo::Show, -10);
+        Session session{stage.scene, stage.assets, above(0, 2)};
+        bool within = false;
+        for (int i = 0; i < 300; ++i) {
+            session.step({.move = {0, 1}, .run = true});
+            within |= session.walker().feet().z < -7;
+            if (session.scene().find(block) && within) {
+                ASSERT_LT(session.walker().depth(session.surroundings()), 0.01) << int(collision) << " " << i;
+                ASSERT_FALSE(session.surroundings().buried(session.walker().centre())) << int(collision) << " " << i;
+            }
+        }
+        EXPECT_TRUE(within && session.scene().find(block)) << int(collision);
+    }
+}
+
 TEST(Session, ATriggerThinnerThanAStepIsLongIsMet)
 {
     test::Stage stage;

@@ -62,6 +62,27 @@ TEST_P(WalkerOf, SlidesAlongAWallAndStopsInACorner)
     walk(walker, stage, kAhead, 60, [&] { EXPECT_LT(glm::length(walker.feet() - corner), 1e-3); }); // no jitter
 }
 
+TEST_P(WalkerOf, StandsStillInWideCornersToo)
+{
+    for (const double angle : {110.0, 120.0, 130.0, 140.0, 150.0, 160.0, 170.0})
+        for (const double yaw : {-6.0, 0.0, 3.0}) {
+            Stage room;
+            room.setGround(flat);
+            const io::TemplateId side = room.addBox({30, 3, 1});
+            const double half = (180 - angle) / 2, r = glm::radians(half);
+            if (std::abs(yaw) >= half) continue; // slides along one of them
+            // Two walls that meet before the player, each turned by half of what is missing to straight.
+            room.place(side, {-15 * std::cos(r), 0, -6 + 15 * std::sin(r)}, {0, float(half), 0});
+            room.place(side, {15 * std::cos(r), 0, -6 + 15 * std::sin(r)}, {0, float(-half), 0});
+            Walker in{like(GetParam())};
+            in.put({0, 0, 0}, yaw, 0, room.surroundings());
+            walk(in, room, kAhead, 1800);
+            const glm::dvec3 corner = in.feet();
+            walk(in, room, kAhead, 120, [&] { EXPECT_LT(glm::length(in.feet() - corner), 1e-3) << angle << " " << yaw; });
+            if (HasFailure()) return;
+        }
+}
+
 TEST_P(WalkerOf, ClimbsStairsAndNoHigherOnes)
 {
     stage.setGround(flat);

@@ -56,6 +56,16 @@ TEST(Celestial, SunElementsAreThoseOfMeeus)
     EXPECT_NEAR(sun.equationOfTime, 13 + 42.6 / 60, 0.05);
 }
 
+// Rows of NOAA's own sheet, "NOAA_Solar_Calculations_day": 21 June 2010, 0:06 at UT-6, and 21 September 2023, 5:33 at UT-8.
+TEST(Celestial, SunElementsAreThoseOfNoaasSheet)
+{
+    const SunElements june = sunElements(2455368.75416667), september = sunElements(2460209.06458333);
+    EXPECT_NEAR(june.longitude - 360 * std::floor(june.longitude / 360), 89.7854391815, 1e-5);
+    EXPECT_NEAR(june.obliquity, 23.4384863294, 1e-6);
+    EXPECT_NEAR(september.longitude - 360 * std::floor(september.longitude / 360), 178.3169803107, 1e-5);
+    EXPECT_NEAR(september.obliquity, 23.4385024898, 1e-6);
+}
+
 // Reda and Andreas, "Solar Position Algorithm for Solar Radiation Applications" (NREL 2004), appendix A.5: 17 October 2003,
 // 12:30:30 at UT-7, 39.742476 north, 105.1786 west. Without refraction.
 TEST(Celestial, SunStandsWhereNrelSays)
