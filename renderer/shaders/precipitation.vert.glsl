@@ -46,12 +46,13 @@ void main()
     // A drop shows the sky upside down, a flake is white. What is thinner than a pixel covers less of it.
     vec3 sky = skyIrradiance(vec3(0.0, 1.0, 0.0)) * light.ambient;
     float ahead = pow(clamp(-dot(toEye, light.towardSun), 0.0, 1.0), 8.0);
-    float seen = sunVisibility(at, toEye);
+    float seen = sunVisibility(at, toEye), clear = 1.0;
 #ifdef CLOUD_SHADOWS
-    seen *= cloudShadow(at);
+    clear = cloudShadow(at);
 #endif
-    vec3 sun = sunAt(at) * seen;
-    vec3 lit = snow ? 0.85 * (0.75 * sky + 0.12 * sun) : sky * 1.1 + sun * (0.03 + 0.6 * ahead);
+    vec3 sun = sunAt(at), direct = sun * (seen * clear);
+    vec3 clouds = sun * (0.06 * (1.0 - clear)); // lit by the sun from above, they are the sky that a drop shows
+    vec3 lit = snow ? 0.85 * (0.75 * sky + 0.12 * direct) : sky * 1.1 + clouds + direct * (0.03 + 0.6 * ahead);
     float thin = size / drawn;
     float ends = smoothstep(snow ? 0.15 : 1.5, snow ? 0.6 : 5.0, away) * (1.0 - smoothstep(0.38 * side, 0.5 * side, away));
     light_ = vec4(lit, falling.opacity * ends * (snow ? max(thin * thin, 0.15) : thin));
