@@ -45,7 +45,7 @@ TEST(EnvironmentFile, ComesBackAsItWas)
     ASSERT_TRUE(back) << back.error().text();
     EXPECT_EQ(*back, environment);
     EXPECT_EQ(environmentText(*back), environmentText(environment));
-    EXPECT_EQ(listed(complaints), "e.json:27: sun.a.b: unknown key; kept as it is\n");
+    EXPECT_EQ(listed(complaints), "e.json:28: sun.a.b: unknown key; kept as it is\n");
 }
 
 TEST(EnvironmentFile, MissingKeysHaveTheirDefaults)
