@@ -83,6 +83,14 @@ io::Changes Session::takeChanges()
     return std::exchange(m_changes, {});
 }
 
+bool Session::changed(io::ObjectId id) const
+{
+    const auto original = m_original.find(number(id));
+    if (original == m_original.end()) return false;
+    const io::Object* now = m_scene.find(id);
+    return !now || !original->second || !(*now == *original->second);
+}
+
 std::vector<std::pair<io::Object, std::optional<io::Object>>> Session::left() const
 {
     std::vector<std::pair<io::Object, std::optional<io::Object>>> result;

@@ -40,8 +40,7 @@ public:
     const std::vector<Event>& events() const { return m_events; } // of the last step
     long steps() const { return m_steps; }
     double walked() const { return m_walked; } // m on the ground in the last step, by itself: what carries it does not count
-    // Whether an object of the document does not stand there any more: hidden, or moved.
-    bool changed(io::ObjectId id) const { return m_original.contains(number(id)); }
+    bool changed(io::ObjectId id) const; // whether it stands otherwise than in the document: hidden, or moved
     io::Camera camera(double share = 1) const; // between the last two steps
     std::vector<io::Moved> between(double share) const; // where bodies are that moved in the last step
     io::Changes takeChanges();                 // of the scene, since the last call

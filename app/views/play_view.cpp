@@ -101,7 +101,7 @@ void PlayView::take(const play::Event& event)
     if (event.kind == play::Event::Kind::Message) {
         m_messages.push_back({event.what, double(event.seconds)});
     } else if (event.kind == play::Event::Kind::Sound) {
-        m_due.push_back({event.what, event.at});
+        if (m_sound) m_due.push_back({event.what, event.at});
     } else if (event.kind == play::Event::Kind::Look) {
         io::Complaints ignored;
         io::Result<io::Environment> look = io::lookNamed(event.what, now, io::KeptLooks{io::looksFolder()}, ignored);

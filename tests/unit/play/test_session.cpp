@@ -184,6 +184,7 @@ TEST(Session, WhatAppearsAroundThePlayerPushesItOut)
             }
         }
         EXPECT_TRUE(within && session.scene().find(block)) << int(collision);
+        EXPECT_FALSE(session.changed(block)) << "it stands again where it stood";
     }
 }
 
